@@ -32,7 +32,7 @@ class Panel(NamedTuple):
     seen_from: Optional[Sequence[float]] = None
     """A place of its own, from which to see all of its actors; none for the place and the box of the whole picture."""
     up: Optional[Sequence[float]] = None
-    """What is up from there; none for the picture's."""
+    """The direction that is up from there; None for the picture's"""
 
 
 def actor(data: vtkDataSet, colour=GREY, edges: bool = False, width: float = 1.0, opacity: float = 1.0) -> vtkActor:
@@ -165,9 +165,9 @@ def box_of(actors: Sequence[vtkActor]) -> np.ndarray:
 
 
 def save(panels: Sequence[Panel], picture: Path, seen_from=(1, 0, 0), up=(0, 0, 1), bounds=None, columns: int = 0) -> None:
-    """Panels in rows of so many columns, or in one row, all seen from the same place unless they say another.
+    """Panels in rows with a number of columns, or in one row, with a common camera unless a panel has its own.
 
-    Bounds, low and high of x, y and z, are what they show; if none are given, all that there is.
+    Bounds, low and high of x, y and z, limit the view; by default everything is shown.
     """
     columns = columns or len(panels)
     rows = -(-len(panels) // columns)

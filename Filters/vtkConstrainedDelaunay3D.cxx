@@ -55,7 +55,7 @@ const char* vtkConstrainedDelaunay3D::GetRungName(int rung)
 
 namespace
 {
-/** TetGen may do anything with facets that cross, so that they have to be found before. */
+/** TetGen's behavior is undefined if facets cross, so crossings have to be found before. */
 void CheckThatNothingCrosses(
   const FacetComplex& surface, const vtkInsideOut::Surface& input, Monitor& monitor)
 {

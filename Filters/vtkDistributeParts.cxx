@@ -73,10 +73,10 @@ int vtkDistributeParts::RequestInformation(vtkInformation* vtkNotUsed(request),
 
 namespace
 {
-/** What a part costs beside its cells, in cells: 3 ms of the 10 us that a cell takes. */
+/** The cost of a part besides its cells, in cells: 3 ms, at 10 us per cell. */
 constexpr double CellsOfAnyPart = 300;
 
-/** For each part the rank that gets it: the largest first, each to the rank with the least so far.
+/** The rank that gets each part: largest parts first, each to the rank with the least load so far.
  */
 std::vector<int> ChooseOwners(const std::vector<vtkIdType>& cells, int ranks)
 {
@@ -113,7 +113,7 @@ int vtkDistributeParts::RequestData(vtkInformation* vtkNotUsed(request),
     output->ShallowCopy(input);
     return 1;
   }
-  // Whatever fails has to fail on all ranks alike: none may leave while another waits for it.
+  // All failures have to be the same on all ranks: none may return while another waits for it.
   vtkInsideOut::Assembly parts(input);
   const std::string disagreement = vtkInsideOut::Agree(parts, output, controller);
   if (!disagreement.empty())

@@ -118,7 +118,7 @@ MeshSegmentation SegmentCells(
   return { std::move(segmentation.Inside), { { "Energy", segmentation.Energy } }, {} };
 }
 
-/** @param[in] split whether points are to be copied */
+/** @param[in] split whether to copy points at which the solid touches itself */
 MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& seeds,
   const SegmentMeshParameters& parameters, bool split, Monitor& monitor)
 {

@@ -89,7 +89,7 @@ void vtkImplicitWindingNumber::Build()
   }
 }
 
-/** The winding number of the surface as it is now; the first thread that comes builds it. */
+/** The winding number of the surface in its present state; the first thread builds it. */
 const vtkImplicitWindingNumber::Internal& vtkImplicitWindingNumber::UpToDate()
 {
   const vtkMTimeType now = this->GetMTime();
@@ -155,7 +155,7 @@ void vtkImplicitWindingNumber::EvaluateFunction(vtkDataArray* input, vtkDataArra
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< vtkInsideOut::WordsOf(error)); // no caller of VTK's expects it to be thrown
+    vtkErrorMacro(<< vtkInsideOut::WordsOf(error)); // VTK's callers do not expect exceptions
   }
 }
 

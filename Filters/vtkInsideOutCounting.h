@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * Options of the classes that count facets, declared and described once. A class names the macros
- * in its declaration, after `public:`. Each declares setters, getters and the field with its
- * default. No semicolon stands behind them: -Wpedantic refuses it.
+ * @file Options of the classes that count facets, declared and described once. A class uses the
+ * macros in its declaration, after `public:`. Each declares setters, getters and the field with its
+ * default. They take no semicolon: -Wpedantic refuses it.
  */
 #ifndef vtkInsideOutCounting_h
 #define vtkInsideOutCounting_h

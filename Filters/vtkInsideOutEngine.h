@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * Options of the classes that make tetrahedra, declared and described once. A class names the
- * macros in its declaration, after `public:`, and gives the fields their defaults. No semicolon
- * stands behind them: -Wpedantic refuses it.
+ * @file Options of the classes that make tetrahedra, declared and described once. A class uses the
+ * macros in its declaration, after `public:`, and sets the fields' defaults. They take no
+ * semicolon: -Wpedantic refuses it.
  */
 #ifndef vtkInsideOutEngine_h
 #define vtkInsideOutEngine_h

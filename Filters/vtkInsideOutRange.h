@@ -13,12 +13,13 @@ class vtkObject;
 
 namespace vtkInsideOut
 {
-/** Warn that an option is given a value out of its range, of which the nearest limit is taken. */
+/** Warn that an option's value is out of its range, and that the nearest limit is used. */
 VTKFILTERSINSIDEOUT_EXPORT void WarnOfRange(
   vtkObject* owner, const char* option, double value, double least, double most);
 
-/** @return the value, or the nearest limit of its range, with a warning. VTK's largest number is no
- * limit: infinity becomes it without one. */
+/** @return the value, or the nearest limit of its range, with a warning. VTK's largest number is
+ * not a limit: it replaces infinity without a warning.
+ */
 template <typename Number>
 Number InRange(vtkObject* owner, const char* option, Number value, Number least, Number most)
 {
@@ -30,7 +31,7 @@ Number InRange(vtkObject* owner, const char* option, Number value, Number least,
 }
 } // namespace vtkInsideOut
 
-/** Setter and limits of an option, as vtkSetClampMacro has them, which warns of nothing. */
+/** Setter and limits of an option, as by vtkSetClampMacro, which does not warn. */
 #define vtkInsideOutSetRangeMacro(name, type, least, most)                               \
   virtual void Set##name(type value)                                                     \
   {                                                                                      \

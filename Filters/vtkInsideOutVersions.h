@@ -7,18 +7,17 @@
 #ifndef vtkInsideOutVersions_h
 #define vtkInsideOutVersions_h
 
-// For VTK_MINOR_VERSION: with vtkVersionMacros.h before the other headers, 9.7's warn of
-// themselves.
+// For VTK_MINOR_VERSION. Without vtkVersionMacros.h included first, the other headers of 9.7 warn.
 #include "vtkDeprecation.h"
 
 #include <string>
 
 /**
- * Declares WriteFile(), by which a subclass of vtkWriter writes, and has it called. It tells of
- * errors by SetErrorCode(): then Write() gives 0. 9.7, I/O, "vtkWriter::Write() now return the
- * correct value": the function to override is WriteDataAndReturn(), and WriteData() alone is an
- * error. It gives true here, for otherwise an error that says nothing would follow the one that
- * says why.
+ * Declares WriteFile(), with which a subclass of vtkWriter writes, and arranges its call. It
+ * reports errors by SetErrorCode(): then Write() returns 0. 9.7, I/O, "vtkWriter::Write() now
+ * return the correct value": the function to override is WriteDataAndReturn(), and WriteData()
+ * alone is an error. It returns true here: otherwise an error without a reason would follow the
+ * actual one.
  */
 #if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7
 #define vtkInsideOutWriteMacro()     \
@@ -41,8 +40,8 @@
 namespace vtkInsideOut
 {
 ///@{
-/** The name that an object was given. 9.2, Core: "vtkObject instances may now be assigned a name
- * used in reporting". Before, there are none. */
+/** The name of an object. 9.2, Core: "vtkObject instances may now be assigned a name used in
+ * reporting". Older versions have none. */
 template <typename Object>
 auto NameOf(Object* object, int) -> decltype(object->GetObjectName())
 {
@@ -57,7 +56,7 @@ std::string NameOf(Object*, long)
 
 ///@{
 /** Whether an algorithm is to stop. 9.3, Filters: "CheckAbort" asks every algorithm upstream, too;
- * so does ParaView 5.11's 9.2. Before, there is only the algorithm's own flag. */
+ * so does ParaView 5.11's 9.2. Older versions have only the algorithm's own flag. */
 template <typename Algorithm>
 auto IsAborted(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort(), bool())
 {

@@ -137,9 +137,9 @@ int vtkProbeWindingNumber::RequestInformation(vtkInformation* vtkNotUsed(request
   return vtkInsideOut::FollowTime(this);
 }
 
-/** Of several pieces of the input each needs the whole surface. Ranks that all work ask for a piece
- * of it each, to put them together. Where there are blocks they may have different numbers of
- * these, and would wait for each other in vain. */
+/** Each MPI piece of the output needs the whole surface. If all ranks work, each requests its own
+ * piece of the surface, and they gather them. With blocks this is impossible: ranks may have
+ * different numbers of these, and would wait for each other for ever. */
 int vtkProbeWindingNumber::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -200,7 +200,7 @@ Array* Add(Arrays& arrays, const char* name, vtkIdType size, int components = 1)
   return array;
 }
 
-/** w, if it is wanted or adds up, and Inside, which is the last. */
+/** w, if it is wanted or summed, and Inside, which comes last. */
 Arrays AskWindingNumbers(vtkProbeWindingNumber* filter, vtkDataSet* input,
   vtkInsideOut::SurfaceChunks& surface, Monitor& monitor)
 {
@@ -252,7 +252,7 @@ Arrays AskWindingNumbers(vtkProbeWindingNumber* filter, vtkDataSet* input,
   return arrays;
 }
 
-/** Distance, and what goes with it; the array Inside gives it its sign. */
+/** Distance and its associated arrays; the array Inside determines its sign. */
 Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input,
   vtkInsideOut::SurfaceChunks& surface, vtkDataArray* inside, Monitor& monitor)
 {
@@ -320,8 +320,8 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
     }
     if (vtkInsideOut::AreLines(surface) || surface->GetNumberOfCells() == 0)
     {
-      // A curve, all of which others may have, is resolved, and its hull triangulated, before it is
-      // known which way it runs.
+      // A curve, which all may share, is resolved and its hull triangulated before its orientation
+      // is known.
       stages.insert(stages.begin() + 1, { Stages::Resolving, Stages::Triangulating });
     }
     vtkInsideOut::AlgorithmMonitor monitor(this, stages);
@@ -347,13 +347,13 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
         data, vtkInsideOut::Attributes::AreMadeHere(input), { array->GetName() }, warnings);
       data->AddArray(array);
     }
-    data->SetActiveScalars(arrays.front()->GetName()); // SetScalars would remove those of before
+    data->SetActiveScalars(arrays.front()->GetName()); // SetScalars would remove earlier arrays
     if (together)
     {
       vtkInsideOut::AddStatistics(
         { { "SurfacePieces", static_cast<double>(pieces.Size()) } }, output);
     }
-    if (!vtkInsideOut::IsFurtherPiece(outputVector)) // all say the same of the surface
+    if (!vtkInsideOut::IsFurtherPiece(outputVector)) // all have the same statistics of the surface
     {
       vtkInsideOut::Warn(this, warnings);
     }

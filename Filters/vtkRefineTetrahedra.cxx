@@ -109,7 +109,7 @@ int vtkRefineTetrahedra::RequestInformation(vtkInformation* vtkNotUsed(request),
 
 namespace
 {
-/** Add the lengths that arrays ask for. */
+/** Add the lengths given by arrays. */
 void AddLengths(vtkUnstructuredGrid* input, vtkDataSet* background, const std::string& name,
   SizingParameters& sizes)
 {

@@ -177,7 +177,7 @@ void vtkRobustTetrahedralize::SetBlocksAreBodies(bool blocksAreBodies)
     return;
   }
   this->BlocksAreBodies = blocksAreBodies;
-  // VTK takes a composite data set to blocks where the filter does not take it as it is.
+  // VTK splits a composite data set into blocks unless the filter accepts it.
   vtkInformation* port = this->GetInputPortInformation(0);
   port->Remove(INPUT_REQUIRED_DATA_TYPE());
   port->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -227,7 +227,7 @@ std::string vtkRobustTetrahedralize::GetSummary()
 
 namespace
 {
-/** An input as one surface, and what of it decides about the hull. */
+/** An input as one surface, and its part of the cache key of the hull. */
 struct OneSurface
 {
   vtkSmartPointer<vtkPolyData> Polygons;
@@ -315,7 +315,7 @@ int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(requ
   return 1;
 }
 
-/** Whether the solid is more than a choice of the hull's cells. */
+/** Whether the solid is more than a subset of the hull's cells. */
 bool vtkRobustTetrahedralize::PartsSolid()
 {
   return this->SeparateOverlaps ||
@@ -414,12 +414,12 @@ void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOut::AlgorithmMonitor& mo
       }
       catch (const Error&)
       {
-        // is said when VTK comes to the block, as where that is no surface
+        // reported when VTK runs the block, for example if it is not a surface
       }
     }
     vtkInsideOut::MeshAhead(hulls, parameters, !this->SurfaceOnly, this->BlocksAtOnce, monitor);
   }
-  catch (...) // no hull is remembered that was not made
+  catch (...) // only hulls that were made are cached
   {
     std::for_each(
       blocks.begin(), blocks.end(), [this](vtkDataObject* block) { this->Hulls->Forget(block); });
@@ -444,7 +444,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       if (!names.Bodies.empty())
       {
         PriorityOf(vtkInsideOut::NamesOfBodies(input, names.Bodies),
-          vtkInsideOut::SplitNames(this->Priority)); // it throws before the work begins
+          vtkInsideOut::SplitNames(this->Priority)); // exceptions come before the work begins
       }
       const vtkInsideOut::Tags tags =
         vtkInsideOut::ReadTags(input, this->TagArrayName, vtkInsideOut::FindBlocks(this));

@@ -49,7 +49,7 @@ int vtkSolidQuality::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
 
 namespace
 {
-/** The regions of tetrahedra; empty where no array of one integer per cell tells them. */
+/** The regions of tetrahedra; empty without an array of one integer per cell. */
 std::vector<Id> RegionsOf(const vtkInsideOut::GridTetrahedra& tetrahedra, vtkUnstructuredGrid* grid)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray("RegionId");

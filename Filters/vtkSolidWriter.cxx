@@ -16,7 +16,7 @@
 
 using namespace insideout;
 
-// The numbers that both know.
+// The formats' numbers.
 static_assert(int(MshVersion::Msh41) == vtkSolidWriter::MSHVERSION_4_1 &&
   int(MshVersion::Msh22) == vtkSolidWriter::MSHVERSION_2_2);
 

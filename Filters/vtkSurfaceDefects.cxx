@@ -78,8 +78,8 @@ namespace
 {
 using Color = std::array<unsigned char, 3>;
 
-// Colors that color-blind readers tell apart, by M. Okabe and K. Ito (2008). Facets that meet
-// others have a light shade of their curves' color, which stand out of it where facets are large.
+// Colors that color-blind readers can distinguish, by M. Okabe and K. Ito (2008). Facets that meet
+// others have a light shade of their curves' color; curves stand out where facets are large.
 constexpr Color CrossingColor = { { 250, 204, 168 } };
 constexpr Color TurnedColor = { { 86, 180, 233 } };
 
@@ -97,7 +97,7 @@ constexpr std::array<TypeOfLine, 4> TypesOfLines = { {
   { "intersection curve", { { 213, 94, 0 } } },
 } };
 
-/** Light colors, every next one far from those before it, and none that is taken for a defect's. */
+/** Light colors, consecutive ones far apart, and none similar to a defect's. */
 Color ColorOfComponent(Id component)
 {
   if (component == None)
@@ -112,7 +112,7 @@ Color ColorOfComponent(Id component)
   Color color;
   for (int k = 0; k < 3; ++k)
   {
-    // How far the hue is from the k-th primary color, in sixths of the circle.
+    // The distance of the hue from the k-th primary color, in sixths of the circle.
     const double turn = std::abs(std::remainder(6 * hue - 2 * k, 6.0));
     const double strength = std::min(std::max(2 - turn, 0.0), 1.0);
     color[k] =
@@ -129,7 +129,7 @@ void SetColor(vtkUnsignedCharArray* colors, vtkIdType cell, const Color& color)
   }
 }
 
-/** What the triangles of each cell have in common, in the order of the cells. */
+/** The combined defects of each cell's triangles, in the order of the cells. */
 std::vector<TriangleDefects> DefectsOfCells(
   const SurfaceDefects& defects, const std::vector<vtkIdType>& cells, vtkIdType numberOfCells)
 {
@@ -262,7 +262,7 @@ PlanarHullParameters PlanarParameters(vtkSurfaceDefects* filter)
   return parameters;
 }
 
-/** What polygons in one plane cover. Its stages are shown as the last one. */
+/** The area covered by polygons in one plane. Its stages are reported as the last one. */
 double AreaInAPlane(vtkPolyData* input, PlanarHullParameters parameters, Monitor& caller)
 {
   struct AtTheEnd : Monitor

@@ -34,7 +34,7 @@ void vtkSurfaceWriter::PrintSelf(ostream& os, vtkIndent indent)
 int vtkSurfaceWriter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  // VTK would come with the blocks one after the other, but not to what has no outputs.
+  // VTK splits composite inputs into blocks, but not for algorithms without outputs.
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }

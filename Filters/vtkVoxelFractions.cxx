@@ -70,7 +70,7 @@ int vtkVoxelFractions::RequestInformation(vtkInformation* vtkNotUsed(request),
   return vtkInsideOut::FollowTime(this);
 }
 
-/** Of several pieces of the input each needs the whole solid. */
+/** Each piece of the output needs the whole solid. */
 int vtkVoxelFractions::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -174,7 +174,7 @@ int vtkVoxelFractions::RequestData(vtkInformation* vtkNotUsed(request),
         output->GetCellData(), false, { "VolumeFraction" }, warnings);
       output->GetCellData()->AddArray(
         vtkInsideOut::MakeArray<vtkDoubleArray>("VolumeFraction", fractions));
-      // SetScalars would remove those of before.
+      // SetScalars would remove earlier arrays.
       output->GetCellData()->SetActiveScalars("VolumeFraction");
       vtkInsideOut::Warn(this, warnings);
     });

@@ -123,7 +123,7 @@ BodyParameters ParametersOf(vtkWindingBoolean* filter)
   return parameters;
 }
 
-/** The inputs, called as the user calls them. */
+/** The inputs by the user's names. */
 std::vector<vtkInsideOut::NamedSurface> NamedSurfaces(
   vtkWindingBoolean* filter, vtkInformationVector* inputs)
 {
@@ -163,7 +163,7 @@ std::vector<std::string> NamesIn(
   return named;
 }
 
-/** Those that the expression names. The others' soups are gone then. */
+/** The bodies named in the expression. The others' soups are released. */
 std::vector<Body> TakeNamed(const SetExpression& expression, vtkInsideOut::Inputs& bodies)
 {
   std::vector<Body> named;
@@ -185,7 +185,7 @@ std::vector<Body> TakeNamed(const SetExpression& expression, vtkInsideOut::Input
   return named;
 }
 
-/** Say of an id in the row of all bodies' of which body it is and which of that; -1 stays. */
+/** Convert an id in the concatenation of all bodies to a body and the id in it; -1 stays. */
 void SplitIds(const char* name, const std::vector<vtkIdType>& first, vtkDataSetAttributes* data)
 {
   auto* ids = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
@@ -217,14 +217,14 @@ Statistics FiguresOf(const ResolvedBodies& resolved, const std::vector<BoundaryT
   return statistics;
 }
 
-/** The cells of the result with the parts that they make up: RegionId. */
+/** The cells of the result with their components: RegionId. */
 vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(const ResolvedBodies& resolved,
   const CellsOfExpression& cells, const vtkInsideOut::Inputs& inputs,
   vtkInsideOut::MakeOutputs& outputs, Monitor& monitor)
 {
   const auto hull = outputs.MakeGrid(resolved.Surface, cells.Mesh);
   hull->GetCellData()->RemoveArray("FacetIds"); // they would number the cells of all inputs
-  hull->GetCellData()->RemoveArray("FacetMultiplicity"); // which is a sum over bodies
+  hull->GetCellData()->RemoveArray("FacetMultiplicity"); // a sum over bodies
   hull->GetFieldData()->Initialize();
   SplitIds("vtkOriginalPointIds", inputs.FirstPoint, hull->GetPointData());
   vtkInsideOut::AddInside(cells.Inside, hull);

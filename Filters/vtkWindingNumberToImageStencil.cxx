@@ -65,7 +65,7 @@ int vtkWindingNumberToImageStencil::RequestUpdateExtent(vtkInformation* vtkNotUs
 
 namespace
 {
-/** Add the runs of values above the threshold in a row, whose first value is at Extent[0]. */
+/** Add the runs of values above the threshold in a row that starts at Extent[0]. */
 void AddRuns(const double* w, double threshold, int y, int z, vtkImageStencilData* stencil)
 {
   const int* const extent = stencil->GetExtent();

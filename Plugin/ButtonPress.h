@@ -8,8 +8,8 @@ class QWidget;
 bool CanTellPress();
 
 /**
- * Whether a press of the first mouse button on the widget waits in the window system's queue, where
- * it stays. Of a display that is not of X11: false.
+ * Whether a press of the first mouse button on the widget waits in the window system's queue, and
+ * stays there. Always false on a display other than X11.
  */
 bool IsPressWaiting(const QWidget* widget);
 

@@ -347,7 +347,7 @@ void InsideOutFirstLook::prepare(pqPipelineSource* filter)
     };
     // ParaView calls a filter unmodified as soon as it shows its outputs, before it draws them.
     connect(filter, &pqProxy::modifiedStateChanged, filter, look);
-    // Of one that gives something at a later Apply only it showed them long ago, and may be
+    // If an output exists only after a later Apply, the others have been shown long ago, and may be
     // drawing.
     connect(filter, QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), filter, look,
       Qt::QueuedConnection);

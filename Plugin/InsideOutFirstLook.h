@@ -3,16 +3,16 @@
  * @class   InsideOutFirstLook
  * @brief   How the plugin's filters look after the first Apply.
  *
- * ParaView 5.11 shows all outputs of a filter then, each in the colors of its active array,
- * stretched over the range that it has. Of a solid that is the solid and, in the same place, its
- * boundary, in the rounding of a winding number that is 1 everywhere. Hints of a filter's proxy say
- * it better:
+ * ParaView 5.11 then shows all outputs of a filter, each colored by its active array over the
+ * array's range. For a solid it shows both the solid and its boundary at the same place, colored by
+ * the rounding errors of a winding number that is 1 everywhere. Hints of a filter's proxy improve
+ * this:
  *
  * - `FirstLook` of a `port`: `shown` is always (the default), never, or if_any, which is where it
  *   has cells; with a `color` (red, green, blue) it has that color, whatever its arrays are; an
  *   empty one is the color that ParaView gives; `by` is the array that colors it, with a legend;
- *   `representation` is ParaView's name of one. What the plugin's other filters made of the same
- *   inputs is hidden. The inputs of a filter that failed or was stopped are shown again.
+ *   `representation` is ParaView's name of one. Results of the plugin's other filters on the same
+ *   inputs are hidden. The inputs of a filter that failed or was stopped are shown again.
  * - `WindingNumberColors`: the colors of the array w go from -1 to 2, if it has none yet, and
  *   the user keeps none for it.
  * - `TakesHull`: made on a solid, the filter takes the hull of it, which is made for it.

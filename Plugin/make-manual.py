@@ -23,7 +23,7 @@ table {{ border-collapse: collapse; }} td, th {{ border: 1px solid #aaa; padding
 
 
 def inline(text: str) -> str:
-    """The marks within a line. What stands in code is not looked at again."""
+    """The marks within a line. Code is not searched for marks."""
     parts = re.split(r"(`[^`]*`)", text)
     return "".join(f"<code>{escape(part[1:-1])}</code>" if part.startswith("`") else words(part) for part in parts)
 

@@ -17,7 +17,7 @@ class Bone(NamedTuple):
     start: tuple[float, float, float]
     end: tuple[float, float, float]
     radii: tuple[float, float]
-    """Of the limb around it, at both ends."""
+    """Widths of the limb around it, at both ends"""
     parent: str = ""
 
 

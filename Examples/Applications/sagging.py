@@ -70,7 +70,7 @@ def deformed(folder: Path, quadratic: bool):
 
 
 def repaired(folder: Path) -> dict:
-    """What a solid each limb is, with its holes closed first."""
+    """Per limb the solid that it is, with its holes closed first."""
     solids = {}
     for name in SKELETON:
         write_figure(folder / "limb.obj", [name], AROUND)

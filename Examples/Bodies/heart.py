@@ -106,7 +106,9 @@ def points_of_skin(result: insideout.Tetrahedralization) -> np.ndarray:
 
 
 def heat_within(result: insideout.Tetrahedralization, skin: np.ndarray) -> float:
-    """What the blood gives to points that are not held at the skin's temperature: a quarter of a cell's heat to each corner."""
+    """Heat from the blood to points that are not held at the skin's temperature: a quarter of a cell's heat to each
+    corner.
+    """
     cells, points = result.solid.cells, result.solid.points
     a, b, c, d = (points[cells[:, k]] for k in range(4))
     volumes = np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6

@@ -3,10 +3,10 @@
 
     xvfb-run -a python3 overlap.py PICTURE.png
 
-The figure of Debian's package libcgal-demo stands clean, so one of its forearms is swung into its chest, and some of its
-triangles are taken away. w is 2 where both overlap, and the solid has that place once: what moves the hand drags the chest
-along. With SeparateOverlaps hand and chest have cells of their own there. What belongs to the arm is told by the way from the
-hand's tip through cells, and swings out again.
+The figure of Debian's package libcgal-demo stands clean, so one of its forearms is swung into its chest, and some of
+its triangles are taken away. w is 2 where both overlap, and the solid has that place once: what moves the hand drags
+the chest along. With SeparateOverlaps hand and chest have cells of their own there. The arm is the set of cells within
+reach of the hand's tip through cells; it swings out again.
 """
 
 from __future__ import annotations

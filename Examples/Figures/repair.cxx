@@ -70,7 +70,7 @@ void FillHoles(Mesh& mesh)
   }
 }
 
-/** The facets that cross others, and so many rings of facets around them. */
+/** The facets that cross others, and a number of rings of facets around them. */
 std::set<Face> CrossingFaces(const Mesh& mesh, int rings)
 {
   std::vector<std::pair<Face, Face>> pairs;

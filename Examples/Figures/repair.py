@@ -3,10 +3,11 @@
 
     xvfb-run -a python3 repair.py PICTURE.png TABLE.csv [SURFACE...]
 
-repair.cxx repairs a surface as a surface, by CGAL's functions: as CGAL's manual puts them together, and by the steps of MeshFix
-(Attene 2010), which Debian has not. It is compiled first, in about half a minute. Of each result: what it encloses, its area, its
-open edges and pairs of triangles that cross, how many vertices of the input it has, to the last bit, and how much of the
-input's area it lost: triangles whose middles are outside of it, and farther away than a 200th of the size.
+repair.cxx repairs a surface as a surface, by CGAL's functions: as CGAL's manual puts them together, and by the steps of
+MeshFix (Attene 2010), which Debian has not. It is compiled first, in about half a minute. The table has for each result
+its volume, its area, its open edges and its pairs of crossing triangles. It also has the number of vertices that equal
+the input's bit for bit, and the lost area of the input: triangles with centers outside the result and farther from it
+than a 200th of the size.
 """
 
 from __future__ import annotations
@@ -117,7 +118,7 @@ def lost_triangles(given: np.ndarray, made: vtkPolyData) -> np.ndarray:
 
 
 def row_of(name: str, way: str, made: Optional[Repaired], reason: str, given: vtkPolyData) -> tuple[list[str], np.ndarray]:
-    """Of the table, and which triangles were lost."""
+    """A row of the table, and the lost triangles."""
     triangles = corners(given)
     if made is None:
         return [name, way, reason, *[""] * 6], np.zeros(len(triangles), bool)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a solid is good for when its surface is a soup: facets turned over at random, and torn apart.
+"""The quality of a solid made from a soup: facets turned over at random, and torn apart.
 
     python3 soups.py PLOT.png [STEPS [FACETS]]
 
 The model is a cow of Debian's package libcgal-demo, with fewer facets (vtkQuadricDecimation). Some of its triangles are
-turned over, and each is moved away by a random vector of so many mean lengths of an edge. The table and the plot show by how
-much the volume of the solid is wrong, with and without the repair of orientation, in steps from none to half of the
-triangles turned. Triangles that are not torn share their points, and the repair makes them agree with those beside them; of
-torn ones each stands alone.
+turned over, and each is moved by a random vector of TORN mean edge lengths. The table and the plot show the
+error of the solid's volume, with and without the repair of orientation. Its steps range from none to half of the
+triangles turned. Triangles that are not torn share their points, and the repair makes adjacent ones agree; torn ones
+are isolated.
 """
 
 from __future__ import annotations

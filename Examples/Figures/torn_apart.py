@@ -3,10 +3,10 @@
 
     xvfb-run -a python3 torn_apart.py PICTURE.png PLOT.png [ANGLES]
 
-The model is a head that is open at its base, of Debian's package libcgal-demo, with fewer facets (vtkQuadricDecimation). For
-so many angles the picture has a slice of the winding number w, which fades with grace, and the solid. The plot shows by how
-much the volume is wrong, and the energy of the cut. Orientation is as given, or else triangles that turned over would be
-turned back.
+The model is a head that is open at its base, of Debian's package libcgal-demo, with fewer facets
+(vtkQuadricDecimation). For each angle the picture has a slice of the winding number w, which degrades gracefully, and
+the solid. The plot shows the error of the volume, and the energy of the cut. Orientation is as given; otherwise
+triangles that turned over would be turned back.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ SHOWN = 6  # of the angles
 
 
 def corners_of(surface: Path, facets: int = FACETS) -> np.ndarray:
-    """The three places of each triangle of a copy with about so many facets."""
+    """The three places of each triangle of a copy with about this number of facets."""
     raw = insideout.check(surface).surface
     triangles, coarse = vtkTriangleFilter(), vtkQuadricDecimation()
     triangles.SetInputData(raw)

@@ -5,8 +5,8 @@
 
 SURFACE is any that InsideOut reads, such as the thesis's Beast; without one it is camel.off of Debian's package
 libcgal-demo. Up is y if not x or z. It is scaled to a height of 1 m, made of rubber, and its lowest 3 percent stand on
-springs, whose forces add up to the reaction. (Of points that are fixed CalculiX says the force without the loads at these
-points themselves.) Writes solid.inp and solid.vtu, with displacements and stresses, into the folder.
+springs, whose forces add up to the reaction. (For fixed points CalculiX reports the force without the loads at these
+points.) Writes solid.inp and solid.vtu, with displacements and stresses, into the folder.
 """
 
 from __future__ import annotations

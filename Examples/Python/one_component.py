@@ -3,8 +3,8 @@
 
     xvfb-run -a python3 one_component.py PICTURE.png [SURFACE]
 
-By default it is a model of Debian's package libcgal-demo. Regions, which faces of cells connect, have
-colors; red are cells that join regions. What joining them adds to the energy is said, and what is dropped.
+By default it is a model of Debian's package libcgal-demo. Regions, which faces of cells connect, have colors; red are
+cells that join regions. The script prints the energy added by joining them, and the dropped cells.
 """
 
 import sys

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is inside a scan, points with normals without any triangle, and a surface of it.
+"""The inside of a scan (points with normals, without triangles), and a surface of it.
 
     xvfb-run python3 point_cloud.py PICTURE.png [CLOUD]
 
-asks a cloud of Debian's package libcgal-demo for its winding number in an image, by vtkProbeWindingNumber, and draws the
-isosurface at 1/2 by vtkFlyingEdges3D. It says how large the volume inside is, how far the cloud's points are from the isosurface,
-and whether that is closed. CLOUD is a text file of lines x y z nx ny nz (.xyz, .pwn), or a file that insideout reads. The picture
-is the points, a slice of the winding number, and the isosurface.
+asks a cloud of Debian's package libcgal-demo for its winding number in an image, by vtkProbeWindingNumber, and draws
+the isosurface at 1/2 by vtkFlyingEdges3D. It prints the volume inside, the distances of the cloud's points from the
+isosurface, and whether that is closed. CLOUD is a text file of lines x y z nx ny nz (.xyz, .pwn), or a file that
+insideout reads. The picture is the points, a slice of the winding number, and the isosurface.
 """
 
 import sys

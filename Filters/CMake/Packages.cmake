@@ -7,7 +7,7 @@ file(COPY ${INSIDEOUT_COMMAND} DESTINATION ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}
   FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 install(PROGRAMS ${INSIDEOUT_COMMAND} DESTINATION ${CMAKE_INSTALL_BINDIR})
 
-# The page is what --help-all says.
+# The page is the output of --help-all.
 set(manual_page ${CMAKE_BINARY_DIR}/insideout.1)
 file(GLOB sources_of_help CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/Filters/Python/insideout/*.py) # a target is no reason to make it again
 add_custom_command(
@@ -28,7 +28,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# dpkg-shlibdeps finds the module's own library where it stands in the package.
+# dpkg-shlibdeps finds the module's own library at its place in the package.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON) # and with it ldconfig is run
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-numpy")
@@ -36,7 +36,7 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-numpy")
 if (INSIDEOUT_USE_PARAVIEW)
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", paraview, python3-paraview")
   set(other_package insideout-vtk)
-  # ParaView has to be told of the plugin, and to forget it.
+  # Register the plugin with ParaView, and unregister it.
   foreach (script IN ITEMS postinst prerm)
     set(control_file ${CMAKE_BINARY_DIR}/deb/${script})
     configure_file(${CMAKE_CURRENT_LIST_DIR}/deb-${script}.in ${control_file} @ONLY)

@@ -57,8 +57,8 @@ vtk_module_build(
   CMAKE_DESTINATION   ${INSIDEOUT_CMAKE_DESTINATION}
   VERSION             ${PROJECT_VERSION}
   SOVERSION           ${PROJECT_VERSION_MAJOR})
-# Headers that most classes include are read once. The target behind the module's name has the library's
-# from VTK 9.7 on (its release notes, "Build": "Name targets after library names").
+# Precompiled headers for most classes. The target behind the module's name has the library's from
+# VTK 9.7 on (its release notes, "Build": "Name targets after library names").
 get_target_property(module_target VTK::FiltersInsideOut ALIASED_TARGET)
 target_precompile_headers(${module_target} PRIVATE
   <algorithm> <functional> <map> <string> <vector>
@@ -87,7 +87,7 @@ if (INSIDEOUT_USE_PARAVIEW)
     INSTALL_HEADERS      OFF)
 endif ()
 
-# Calls through the wrapping cost next to nothing: it is built fast rather than made fast.
+# The wrapping costs next to no time at run time: it is compiled fast rather than optimized.
 foreach (wrapping IN ITEMS ${INSIDEOUT_WRAPPING} vtkFiltersInsideOutCS)
   if (TARGET ${wrapping})
     target_compile_options(${wrapping} PRIVATE $<$<CONFIG:Release>:-O1>)

@@ -14,7 +14,7 @@ insideout::Statistics StatisticsOf(vtkFieldData* fields);
 /**
  * Add figures to the data's field data: the array Statistics, with names in StatisticsNames. These
  * arrays come first: ParaView's Information panel shows no field data whose first array is empty.
- * Of several figures of one name the last counts.
+ * The last figure of a name counts.
  */
 void AddStatistics(const insideout::Statistics& statistics, vtkDataObject* output);
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes a wheel of the Python package: what pip calls (PEP 517), for the VTK that CMake finds, without TetGen.
+"""Makes a wheel of the Python package, as pip's build backend (PEP 517), for the VTK that CMake finds, without TetGen.
 
-CMake gets the options in the environment variable CMAKE_ARGS, too. Of pip's `--config-settings` there is `build-dir`, the folder
-to build in, from the root of the tree on; by default build-wheel. What is up to date there stays, and so do the options of a
-folder that was configured before.
+CMake gets the options in the environment variable CMAKE_ARGS, too. The option `build-dir` of pip's `--config-settings`
+is the folder to build in, relative to the root of the tree; by default build-wheel. Files that are up to date there
+stay, and so do the options of a configured folder.
 """
 
 import os

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Write what the package has of the classes' options: what their headers declare, and the signatures of functions.
+"""Write the options of the classes for the package: the headers' declarations, and the signatures of functions.
 
     write-options.py declared FILTERS declared.py
     write-options.py signatures OPTIONS.py IN.py OUT.py
 
-FILTERS is the folder of the headers. In IN.py a comment "# All fields of CLASS." among the parameters of a function stands for
-the fields of this class of OPTIONS.py and of those that it is based on, with their types and defaults.
+FILTERS is the folder of the headers. In IN.py a comment "# All fields of CLASS." among the parameters of a function is replaced by
+the fields of this class of OPTIONS.py. These include the fields of its base classes, with their types and defaults.
 """
 
 from __future__ import annotations

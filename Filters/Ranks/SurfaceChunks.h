@@ -75,8 +75,8 @@ public:
 
   /**
    * Correct the sum of the winding numbers of all chunks. For a closed surface it is a whole number
-   * off the surface and a half on its facets, up to rounding at the additional edges of chunks,
-   * which is removed here.
+   * off the surface and a half on its facets, up to rounding. The additional edges of chunks add
+   * rounding errors, which are removed here.
    */
   double Rounded(double sum) const;
 

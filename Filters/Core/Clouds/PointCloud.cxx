@@ -21,7 +21,7 @@ std::string NameOf(std::size_t point)
   return "point " + std::to_string(point) + " of the cloud ";
 }
 
-/** Of any length; zero for a zero vector. */
+/** A normal of any length; zero for a zero vector. */
 Point UnitVector(const Point& normal, std::size_t point)
 {
   if (!IsFinite(normal))

@@ -132,8 +132,8 @@ OuterSides FindOuterSides(const SolidMesh& solid)
   return isOuter;
 }
 
-/** Of the entries of a face, that of the cell from which the triangle faces away, else the first.
- * With overlapping cells there are more than two: those that no other cell shares come first. */
+/** The entry of a face whose cell the triangle faces away from, else the first one. With
+ * overlapping cells there are more than two: those that no other cell shares come first. */
 const FaceEntry& EntryBehind(
   const FaceTable::Range& entries, bool turned, const OuterSides& isOuter)
 {

@@ -30,8 +30,8 @@ struct ShellTurns
  * are turned one by one, larger ones first, while that is an improvement.
  *
  * Volumes are sampled. They are taken as equal if their difference is below a fraction of the
- * volume that only one of them has, or below a hundred-thousandth of the volume where w differs:
- * coincident faces, such as the ends of two tubes, differ by rounding.
+ * volume that only one of them has. The same holds below a hundred-thousandth of the volume where w
+ * differs: coincident faces, such as the ends of two tubes, differ by rounding.
  *
  * @param[in] regions of shells 0 to facets.size() - 1
  * @param[in] facets number of facets per shell

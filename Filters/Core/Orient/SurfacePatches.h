@@ -16,7 +16,7 @@ struct SurfacePatches
 
 /**
  * Patches: the largest sets of facets joined through edges of exactly two facets that run along the
- * edge in opposite directions, have the same count, and the same number of canceling copies
+ * edge in opposite directions. The two have the same count, and the same number of canceling copies
  * (FacetComplex::Opposed). On a resolved surface no other facet touches such an edge. So the
  * winding number just beside a patch is constant on either side (Zhou, Grinspun, Zorin and Jacobson
  * 2016, section 4).

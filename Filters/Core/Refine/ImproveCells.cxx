@@ -45,8 +45,8 @@ constexpr std::size_t LargestCavity = 25;
 /** Limit of an edge's length, relative to the wanted one, when a point is removed. */
 constexpr double LongestEdge = 1.8;
 
-/** Degrees. Interior edges that are still too long get a midpoint if the surface is remeshed to
- * wanted lengths, unless a cell gets an angle smaller than this and than the old ones. */
+/** Degrees. If the surface is remeshed to wanted lengths, interior edges that are still too long
+ * get a midpoint. No cell may get an angle smaller than this and than the old ones. */
 constexpr double AngleAmidLongEdge = 10;
 constexpr std::size_t LargestCavityAmidLongEdge = 100;
 

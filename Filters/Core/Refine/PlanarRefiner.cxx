@@ -288,9 +288,9 @@ bool PlanarRefiner::IsRoomy(
     });
 }
 
-/** Whether two corners of a triangle cut constraints at a sharp corner, on one shell, and the third
- * is that corner, or the corner is too sharp for good triangles beside it. The edge between the two
- * is then short because of that corner, and no point is inserted. */
+/** Whether an edge is short because of a sharp corner, so that no point is inserted: two corners of
+ * a triangle cut constraints at the corner, on one shell. The third is that corner, or the corner
+ * is too sharp for good triangles beside it. */
 bool PlanarRefiner::IsAcrossSharpCorner(Id u, Id v, const Triangle& corners) const
 {
   const Id first = this->InputEdges[u], second = this->InputEdges[v];

@@ -51,7 +51,7 @@ void PointSmoothing::CollectPieces(Id point)
   }
 }
 
-/** Of length 1, or 0 if there is none. */
+/** The normal of length 1, or 0 if there is none. */
 Point PointSmoothing::NormalOfPieces() const
 {
   Point sum = { { 0, 0, 0 } };

@@ -15,7 +15,7 @@ struct SurfacePiece
   Id Facet; ///< facet of the input
 };
 
-/** Of a length of twice its area. */
+/** The normal, with twice the area as length. */
 Point NormalOf(const SurfacePiece& piece);
 
 /** Whether a triangle is so thin that it may fold over by rounding. */

@@ -27,7 +27,7 @@ public:
 
   bool IsEmpty() const { return this->Parts.empty() && this->HasNormal; }
 
-  /** Whether so many polygons remain that continuing does not pay off. */
+  /** Whether too many polygons remain for continuing to pay off. */
   bool IsHopeless() const { return !this->HasNormal || this->Parts.size() > MostParts; }
 
 private:

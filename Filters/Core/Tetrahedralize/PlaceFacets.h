@@ -9,9 +9,9 @@ namespace insideout
 /**
  * Find each constraint among the faces of the mesh, as a union of marked faces or whole, and set
  * Facets and FacetSides. Pieces have precedence. Next to a point that rounding moved off the facet,
- * the whole facet may by chance be a face as well, but its neighbors, which are split there, would
- * not match. A facet that is found neither way goes to LostFacets, and no face carries it. The
- * Steiner points on facets are counted and get their Origins, from the lowest facet that has them.
+ * the whole facet may by chance be a face as well. Its neighbors, which are split there, would not
+ * match. A facet that is found neither way goes to LostFacets, and no face carries it. The Steiner
+ * points on facets are counted and get their Origins, from the lowest facet that has them.
  *
  * @param[in] markedFaces faces that are said to be pieces of facets; one that is no face of the
  * mesh loses its facet

@@ -86,8 +86,9 @@ public:
 
 protected:
   /**
-   * Called if an edge from a to b would cross another one. @return the end, of the four, that is
-   * nearest to the line of the other edge, as far as doubles tell; any of them would do
+   * Called if an edge from a to b would cross another one.
+   * @return the end, of the four, that is nearest to the line of the other edge, as far as doubles
+   * tell
    */
   VertexHandle intersect(FaceHandle face, int index, VertexHandle a, VertexHandle b) override
   {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tetrahedra of the solid that a broken triangle surface means.
 
-What is wrong with a surface, and whether it matters::
+The defects of a surface, and whether they matter::
 
     import insideout
     print(insideout.check("broken.ply").verdict)
@@ -24,7 +24,7 @@ What a file holds, whoever wrote it: a surface, or the tetrahedra of gmsh, Calcu
 
     insideout.read("solid.msh").cell_arrays["RegionId"]
 
-What is wrong with tetrahedra, and how good they are::
+The defects of tetrahedra, and their quality::
 
     print(insideout.check_solid(result.solid).verdict)
     insideout.draw_quality(result.solid, "angles.png")
@@ -56,19 +56,24 @@ What surfaces and solids measure, and their parts::
     solid = insideout.tetrahedralize("broken.ply").solid
     solid.volume, solid.components, [part.volume for part in solid.split()]
 
-Of a scan without triangles, points with normals, the same but for distances::
+The same, distances aside, for a scan: points with normals, without triangles::
 
     insideout.inside(insideout.point_cloud(points, normals=points), points)
 
 SURFACES
-    Each function takes a surface as a vtkPolyData of polygons or strips, as the name of a .ply, .obj, .off,
-    .stl, .vtp, .glb or .3mf file (or one of these compressed, with .gz behind it), as a pair (points, triangles) of arrays
-    with three columns each, as a meshio.Mesh, as an object that has arrays `vertices` and `faces`, such as a
-    trimesh.Trimesh, as a TriangleMesh of Open3D, as a mesh.Mesh of numpy-stl, or as a VTK algorithm (or output port of one) that makes a vtkPolyData: it is updated.
-    What comes back does not depend on that. Faces should run counterclockwise seen from outside.
-    `scale` multiplies its coordinates first, for files have no unit. Solids are taken likewise: a
-    vtkUnstructuredGrid of tetrahedra, the name of a .vtu, .msh, .inp or .mesh file, a pair (points, cells), and so on.
-    Points are one (3,), or an array of them (..., 3), and the answer has the shape (...); or those of a VTK data set.
+    Each function accepts these types of surface:
+
+    - a vtkPolyData of polygons or strips
+    - the name of a .ply, .obj, .off, .stl, .vtp, .glb or .3mf file, or of one compressed as .gz
+    - a pair (points, triangles) of arrays with three columns each
+    - a meshio.Mesh, a TriangleMesh of Open3D, or a mesh.Mesh of numpy-stl
+    - an object with arrays `vertices` and `faces`, such as a trimesh.Trimesh
+    - a VTK algorithm, or an output port of one, that makes a vtkPolyData; it is updated
+
+    The results do not depend on the type. Faces should run counterclockwise seen from outside. `scale` multiplies the
+    coordinates first, because files have no unit. Solids are accepted likewise: a vtkUnstructuredGrid of tetrahedra,
+    the name of a .vtu, .msh, .inp or .mesh file, a pair (points, cells), and so on. Points are one (3,), or an array of
+    them (..., 3), with results of the shape (...); or those of a VTK data set.
 
 RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
@@ -94,9 +99,9 @@ RESULTS
     `mesh.insideout.tetrahedralize()`: see `insideout.accessors`.
 
 ERRORS
-    What cannot be done is an `Error` with one line that names the culprit and, where it can, the remedy; an argument
-    that a function does not have, too. What is worth knowing and may change an answer is a Python warning of the
-    category `Warning`, which points at the line that called, and comes back as `warnings`. To have none:
+    A failure is an `Error` with one line that names the culprit and, if there is one, the remedy; so is an unknown
+    argument of a function. Circumstances that may change an answer are Python warnings of the category `Warning`. They
+    point at the line of the call, and are also in the result's `warnings`. To switch them off:
     warnings.simplefilter("ignore", insideout.Warning).
 
 STOPPING
@@ -116,11 +121,14 @@ COMMAND
     `python3 -m insideout` is the same. There is a subcommand for each job: mesh, repair, check, refine, boolean, query, draw, demo.
 
 MODULES
-    `booleans`, `checking`, `quality`, `resolving`, `queries`, `grids`, `clouds`, `refinement` and `tetrahedralization` have the functions, `options`
-    what can be chosen, `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `surfaces`,
-    `solids` and `inputs` make them of what they are given, `files` and `reading` read surfaces and solids, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
-    exceptions, `calling` and `errors` warnings and errors, `results`, `statistics`, `plotting` and `serializing` are how results are shown and pickled, `measures` and `parts` how they hang together, `command_line` is the command, whose
-    `arguments`, `usage` and `help` stand beside it, with a module of `commands` for each subcommand.
+    - functions: `booleans`, `checking`, `quality`, `resolving`, `queries`, `grids`, `clouds`, `refinement` and
+      `tetrahedralization`
+    - options: `options`; stages reported to `progress`: `stages`
+    - inputs: `data` has the types of surfaces and tetrahedra, `surfaces`, `solids` and `inputs` make them
+    - files: `files` and `reading` read, `writing` and `exporting` write
+    - running VTK: `pipeline` runs any algorithm with its errors as exceptions; `calling` and `errors`
+    - results: `results`, `statistics`, `plotting` and `serializing`; `measures` and `parts`
+    - the command: `command_line` with `arguments`, `usage` and `help`; `commands` has a module per subcommand
 """
 
 # The wrapped classes derive from VTK's, which Python has to know first.

@@ -95,7 +95,7 @@ def as_bodies(surface: AnyBodies, scale: float, array: Optional[str]) -> tuple[v
 
 
 def region_ids(boundary: vtkPolyData) -> Optional[NDArray[np.int32]]:
-    """Of each triangle the regions behind and before it; None where the boundary is of one body."""
+    """The regions behind and in front of each triangle; None where the boundary is of one body."""
     array = boundary.GetCellData().GetArray("RegionIds")
     return None if array is None else vtk_to_numpy(array)
 

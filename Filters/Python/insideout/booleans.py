@@ -37,11 +37,11 @@ class Boolean(MeshResult):
     solid: Tetrahedra
     """The result in tetrahedra where these were made, for a body was open, a gap closed or `tetrahedra` asked for them; else empty."""
     names: list[str]
-    """What the bodies are called, by their `BodyId`."""
+    """The names of the bodies, by their `BodyId`."""
     statistics: Statistics
     """Counts, the volume and seconds, by name."""
     warnings: list[str]
-    """What is worth knowing about the bodies, one line each."""
+    """Warnings about the bodies, one line each."""
 
     @property
     def bodies(self) -> NDArray[np.int32]:

@@ -44,14 +44,14 @@ class Check(MeshResult):
     statistics: Statistics
     """Counts by name."""
     findings: list[Finding]
-    """What is wrong, with what matters first; empty when nothing is."""
+    """The defects, most important first; empty if there are none."""
     shell_volumes: list[float]
     """What each shell of the surface encloses: negative for a cavity, 0 for a sheet. The cell array ShellId tells them apart.
     Empty for lines."""
     verdict: str
     """Whether it bounds a solid, in one sentence: "bounds a solid of volume 2 after turning 1 of 2 shells over"."""
     warnings: list[str]
-    """What is worth knowing about the input, one line each."""
+    """Warnings about the input, one line each."""
 
     def figures(self) -> list[tuple[str, str]]:
         return [
@@ -74,15 +74,15 @@ def check(
     merge_tolerance: Optional[Length] = None,
     progress: Optional[Progress] = None,
 ) -> Check:
-    """What is wrong with a surface, or with lines in a plane. Nothing is changed or cut; what would be turned over is marked.
+    """Find the defects of a surface, or of lines in a plane. Nothing is changed or cut; facets to be turned over are marked.
 
-    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    surface   any type of surface that `insideout` accepts: a vtkPolyData, a file's name, a pair (points, triangles) ...
     progress  called with the stage and the fraction of all the work that is done
 
     {options}
 
-    Returns a `Check`. Raises `Error` with one line that names what is wrong where the surface is no
-    surface at all.
+    Returns a `Check`. Raises `Error` with one line that names the culprit if the input is not a
+    surface.
     """
     options = Options.among(locals())
     polygons, warnings = as_surface(surface, options.factor())
@@ -105,7 +105,7 @@ def check(
 
 
 def find(statistics: Mapping[str, float]) -> list[Finding]:
-    """What is wrong by the counts of vtkSurfaceDefects, with what matters first."""
+    """The defects by the counts of vtkSurfaceDefects, most important first."""
     if statistics.get("Dimension", 3) == 2:
         return find_among(PLANAR_DEFECTS, statistics)
     planar = Finding("the surface lies in one plane", True, "it bounds no volume: it becomes triangles in two dimensions")

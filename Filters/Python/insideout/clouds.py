@@ -18,13 +18,13 @@ from .serializing import vtk_array
 
 @for_users
 def point_cloud(points: ArrayLike, normals: ArrayLike, areas: Optional[ArrayLike] = None) -> vtkPolyData:
-    """Points on a surface, as scanners give them, for `winding_number`, `inside` and `voxels`.
+    """Points on a surface, such as a scan, for `winding_number`, `inside` and `voxels`.
 
     points   an array with three columns
     normals  the same, outward, of any length but 0
-    areas    what each point stands for, in squared units, at least 0; estimated from its neighbors where it is None
+    areas    the area that each point represents, in squared units, at least 0; estimated from its neighbors where it is None
 
-    Raises `Error` where there are not as many of each. What is wrong with one of them is said when the cloud is asked.
+    Raises `Error` if their numbers differ. Invalid values are reported when the cloud is used.
     """
     cloud = vtkPolyData()
     cloud.SetPoints(make_points(points, ARRAYS[0]))

@@ -17,7 +17,7 @@ from .serializing import vtk_array
 CURVE = ".csv"
 
 COLUMNS = ("x", "y", "z", "path")
-"""Of which z, and path, may be missing."""
+"""z, and path, may be missing"""
 
 
 def read_curve(path: str) -> vtkPolyData:

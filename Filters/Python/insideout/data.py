@@ -131,7 +131,7 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
 
     @property
     def volume(self) -> float:
-        """Of all tetrahedra, in cubed units."""
+        """The volume of all tetrahedra, in cubed units."""
         return volume_of_cells(self.points, self.cells)
 
     @property

@@ -15,7 +15,7 @@ from .serializing import vtk_array
 from .surfaces import make_surface
 
 DECIMALS = 6
-"""Of coordinates: sine and cosine differ in the last digits from processor to processor."""
+"""digits of coordinates: sine and cosine differ in the last digits from processor to processor"""
 
 
 @dataclass(frozen=True)

@@ -88,7 +88,7 @@ def draw(
     if hull is not None and is_flat(hull):
         refuse_page_of_plane(picture)
         curve = as_surface(surface, Options(scale=scale).factor())[0]
-        # What is wrong with polygons is told of surfaces in space: that their edges are open.
+        # Defects of polygons are those of surfaces in space: their edges are open.
         marks = check(curve, orientation=orientation, merge_tolerance=merge_tolerance).lines if curve.GetNumberOfPolys() == 0 else None
         _write_panels(picture, curve=curve, marks=marks, hull=hull, solid=solid, up=up)
         return

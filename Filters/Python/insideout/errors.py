@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is raised and warned of, and the checks of arguments that raise it."""
+"""Exceptions and warnings, and the checks of arguments that raise them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class ArgumentError(Error):
 
 
 class Warning(UserWarning):  # noqa: A001
-    """What is worth knowing and may change an answer, in one line: the category of all warnings here."""
+    """A note that may change an answer, in one line: the category of all warnings here."""
 
 
 def finite(name: str, value: Any) -> float:

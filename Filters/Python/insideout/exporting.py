@@ -20,7 +20,7 @@ PHYSICAL, GEOMETRICAL, ENTITIES = "gmsh:physical", "gmsh:geometrical", "gmsh:dim
 """What meshio calls the groups of elements in gmsh's files, and what each point lies on, by dimension and number."""
 
 EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
-"""Of a tetrahedron, in the order in which its midpoints stand."""
+"""edges of a tetrahedron, in the order of its mid-edge nodes"""
 
 
 def mesh_of(data: Any, kind: str, corners: NDArray[np.int64]) -> Any:

@@ -59,8 +59,8 @@ _MARKS = (b"Written by InsideOut", b"Binary STL of InsideOut")
 
 _NEAR_AN_END = 1024  # bytes at the begin and at the end of a file that are searched for a mark
 
-# What VTK's .vtp reader calls an error and is none: that a surface is empty, which whoever takes it
-# says better, and that a range which VTK noted beside an array is not finite.
+# Messages that VTK's .vtp reader calls errors, but are none: that a surface is empty, which its users report better,
+# and that a range stored with an array is not finite.
 HARMLESS_WHEN_READING = ("No Points element available", "Error reading InformationKey element")
 
 
@@ -167,7 +167,7 @@ def _read_objects(path: str, kind: str) -> tuple[vtkPolyData, list[str]]:
 
 
 def _false_names(path: str, kind: str) -> Iterator[str]:
-    """What a file's name says that is not so; vtkSurfaceReader says the same of those that it reads."""
+    """A warning if a file's name contradicts its content; vtkSurfaceReader gives the same for the files that it reads."""
     name = os.path.basename(path)
     if _is_compressed(path) and ending(path) != GZIP:
         yield f"{name}: is compressed with gzip, but its name does not end in .gz"
@@ -182,7 +182,7 @@ def _format(kind: str) -> str:
 
 
 def _begin(path: str) -> bytes:
-    """Some bytes of the content. What cannot be decompressed is not looked at: who reads it says why."""
+    """Some bytes of the content. Failed decompression is ignored: the reader reports the reason."""
     try:
         with gzip.open(path, "rb") if _is_compressed(path) else open(path, "rb") as file:
             return file.read(1000)

@@ -44,9 +44,9 @@ class DistanceGrid(Result):
     spacing: Vector
     """From one point to the next, by axis."""
     to: DistanceTo
-    """What the distance is measured from."""
+    """The surface from which the distance is measured."""
     warnings: list[str]
-    """What is worth knowing about the input, one line each."""
+    """Warnings about the input, one line each."""
 
     def figures(self) -> list[tuple[str, str]]:
         return [
@@ -86,8 +86,8 @@ def sdf_grid(
     spacing   instead of it, from one point to the next, above 0, in the surface's units: one number, or three
     padding   around the surface's box, in the surface's units; a tenth of its longest side by default
     to        "solid": the distance to the boundary of the solid that `tetrahedralize` makes of the surface. Walls within
-              it, as overlapping parts have, are no part of that, and holes are closed. Of neighboring points it never
-              differs by more than the points are apart. "surface": the distance to the nearest triangle of the surface
+              it, as overlapping parts have, are no part of that, and holes are closed. At neighboring
+              points it differs by at most their distance. "surface": the distance to the nearest triangle of the surface
               as it is, such a wall, too; the sign is the winding number's, and may change in an open hole
     progress  called with the stage and the fraction that is done; what it raises stops the work
 

@@ -40,7 +40,7 @@ replaced.
 
 
 def screen() -> str:
-    """What the commands are, and how to ask for more."""
+    """The list of commands, and how to get more help."""
     width = max(map(len, COMMANDS))
     operands = max(len(command.names()) for command in COMMANDS.values())
     lines = [
@@ -65,7 +65,7 @@ def all_screens() -> str:
 
 
 def screen_of(name: str, everything: bool = False) -> str:
-    """What a command does, and its options in brief, or all that is to be said of them."""
+    """A command's purpose with its options in brief, or in full."""
     command = COMMANDS[name]
     indent = max(len(operand) for operand, _ in command.operands) + 4
     lines = [f"usage: insideout {name} {command.names()} [options]", "", *textwrap.wrap(command.words, _columns())]

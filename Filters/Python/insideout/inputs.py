@@ -17,7 +17,7 @@ from .errors import Error, brief
 from .pipeline import run_with_upstream
 from .serializing import vtk_array
 
-# What type checkers know of classes that are not there to them: VTK brings no types, and the others need not be installed.
+# Definitions for type checkers of classes that they lack: VTK has no type hints, and the others need not be installed.
 
 
 class Algorithm(Protocol):
@@ -91,7 +91,7 @@ def has(thing: Any, *names: str) -> bool:
 
 
 def of_foreign(make: Callable[[Any], Made], mesh: Any, kind: str) -> Made:
-    """What is made of an object of another package's class. Raises `Error` where it only looks like one."""
+    """Convert an object of another package's class. Raises `Error` if it only resembles one."""
     try:
         return make(mesh)
     except (Error, MemoryError):

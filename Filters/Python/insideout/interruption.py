@@ -21,11 +21,11 @@ WORDS = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
 
 
 class Terminated(KeyboardInterrupt):
-    """What SIGTERM raises, once `end_soon_after_signals` was called."""
+    """The exception of SIGTERM, after a call of `end_soon_after_signals`."""
 
 
 class _Command:
-    """What the command is doing."""
+    """the command's current work"""
 
     file: Optional[str] = None
     told = False
@@ -65,7 +65,7 @@ def cleaning_up(clean_up: Callable[[], object]) -> Iterator[None]:
 
 @contextmanager
 def deferring_signals() -> Iterator[None]:
-    """What a signal raises is raised in the end, so that nothing begun here is forgotten.
+    """The exception of a signal is raised at the end, so that nothing begun here is forgotten.
 
     Another program may be started here: it does not inherit this.
     """

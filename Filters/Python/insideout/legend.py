@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is written into pictures: titles, counts beside the colors that they are drawn in, and labels of places."""
+"""Texts in pictures: titles, counts next to the colors of the counted items, and labels of places."""
 
 from __future__ import annotations
 
@@ -41,7 +41,9 @@ MOST_ROWS = 3
 """Beneath a drawing."""
 
 TOP, BOTTOM, LINE, SIZE = 0.88, 0.03, 0.04, 24
-"""Of a whole legend: where it may be, how high its lines are, as shares of the panel, and its letters; smaller where it is long."""
+"""Layout of a whole legend: position and line height, as fractions of the panel, and font size; smaller for long
+legends.
+"""
 
 LETTERS = "ABCDEFGHIJ"
 
@@ -54,7 +56,7 @@ class Row(NamedTuple):
 
 
 def counts(statistics: Mapping[str, float]) -> list[Row]:
-    """What was wrong, in the words of the command's summary, and in which color: what is drawn, then all else."""
+    """The defects in the words of the command's summary, with colors: first those that are drawn, then all others."""
     kinds = PLANAR_DEFECTS if statistics.get("Dimension", 3) == 2 else DEFECTS
     found = [defect for defect in kinds if statistics.get(defect.statistic, 0) > 0]
     found.sort(key=lambda defect: defect.statistic not in DRAWN)

@@ -20,7 +20,7 @@ _OF_COMMANDS = {"check": CHECK_OPTIONS, "query": WINDING_OPTIONS, "boolean": BOO
 
 @dataclass(frozen=True)
 class Asked:
-    """What the command is to do."""
+    """The command's task."""
 
     options: argparse.Namespace
     surfaces: Sequence[str]

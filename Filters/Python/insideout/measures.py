@@ -10,7 +10,7 @@ Points = NDArray[np.float64]
 Ids = NDArray[np.int64]
 
 FACES = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
-"""Of a tetrahedron, as VTK numbers them."""
+"""edges of a tetrahedron, in VTK's order"""
 
 
 def enclosed_volume(points: Points, triangles: Ids) -> float:

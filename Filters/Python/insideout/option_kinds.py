@@ -40,7 +40,7 @@ class Option:
         getattr(owner_of(algorithm, self.vtk_property), "Set" + self.vtk_property)(self.checked(name, value))
 
     def used_by(self, algorithm: Any, value: Any) -> Any:
-        """What a filter goes by on which this value was set."""
+        """The filter's value for this value of the option."""
         return value
 
     def used_number(self, algorithm: Any) -> Any:
@@ -48,7 +48,7 @@ class Option:
         return None if owner is None else getattr(owner, "Get" + self.vtk_property)()
 
     def argument(self) -> dict[str, Any]:
-        """What argparse is to know of it besides."""
+        """Further arguments for argparse."""
         return {"metavar": "ARRAY"}
 
 
@@ -170,7 +170,7 @@ class Scale(Option):
 
 
 class Names(Option):
-    """A list of names, or these as one text, parted by commas."""
+    """A list of names, or one text with names separated by commas."""
 
     def checked(self, name: str, value: Any) -> str:
         if isinstance(value, str):

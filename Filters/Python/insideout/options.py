@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be chosen about a solid: each option once, for the functions and the command line.
+"""The options of a solid: each option once, for the functions and the command line.
 
-An option is a field of one of these classes, by the topic that it stands under in the command's help. What it means, its range,
-default and choices are those that the header of its VTK class declares (declared.py, which the build writes); the few that are no
-properties are told here. The build puts the fields among the parameters of the functions that have them, too.
+An option is a field of one of these classes, by the topic that it stands under in the command's help. The header of its
+VTK class declares its meaning, range, default and choices (declared.py, written by the build). The few options that are
+not properties are described here. The build also adds the fields to the parameters of the functions that have them.
 """
 
 from __future__ import annotations
@@ -265,7 +265,7 @@ def in_words_of_command(texts: Iterable[str]) -> list[str]:
 
 
 def help_of(name: str, spelled: Callable[[str], str] = str, quote: str = '"') -> str:
-    """What an option means, in which options are spelled and choices quoted as the reader has them."""
+    """An option's description, with options spelled and choices quoted for the reader."""
     words = re.sub(rf"\b(?:{'|'.join(CONSTANTS)})\b", lambda found: f"{quote}{CONSTANTS[found[0]]}{quote}", OPTIONS[name].words)
     # A word of its own that begins a sentence is no name of an option.
     names = "|".join(name if re.search("[a-z][A-Z]", name) else f"(?<=[a-z,;:] ){name}" for name in _PROPERTIES)
@@ -274,7 +274,7 @@ def help_of(name: str, spelled: Callable[[str], str] = str, quote: str = '"') ->
 
 
 def flag_of(name: str) -> str:
-    """What an option is called on the command line."""
+    """An option's name on the command line."""
     return "--" + name.replace("_", "-")
 
 

@@ -4,12 +4,12 @@
     python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--solid SOLID.vtu]
         [--curve CURVE.vtp] [--marks POINTS.vtp] [--up z] [--row] [--quality FIGURES.vtu]
 
-Side by side, seen from the same place: the surface with its defects, as `check` marks and draws them, a
-slice of the winding number w through the hull, and the tetrahedra inside, cut open; in a whole row the solid's boundary and
-its tetrahedra in slices, too. What is inside is cells of the hull, or a solid that was made of them. Without a hull: the
-surface from two sides, and a legend of all that is wrong. What is up is told (x, y or z) or found (`View`). The last panel is
-the histogram of dihedral angles that `check_solid` puts into the field data of a solid. Where the hull is triangles in a plane:
-the curve with its defects, w in all of them, and those inside.
+Side by side, seen from the same place: the surface with its defects, as `check` marks and draws them, a slice of the
+winding number w through the hull, and the tetrahedra inside, cut open; in a whole row the solid's boundary and its
+tetrahedra in slices, too. The inside is cells of the hull, or a solid made of these. Without a hull: the surface from
+two sides, and a legend of all that is wrong. The up direction is given (x, y or z) or found (`View`). The last panel is
+the histogram of dihedral angles that `check_solid` puts into the field data of a solid. Where the hull is triangles in
+a plane: the curve with its defects, w in all of them, and those inside.
 """
 
 from __future__ import annotations
@@ -95,12 +95,12 @@ def solid_of(hull: vtkUnstructuredGrid, options: argparse.Namespace) -> vtkUnstr
 
 
 def told(statistics: dict[str, float]) -> str:
-    """What is wrong, for the file's description."""
+    """The defects, for the file's description."""
     return "; ".join(row.text for row in counts(statistics))
 
 
 def draw_curve(curve: vtkPolyData, marks: vtkPolyData, options: argparse.Namespace) -> None:
-    """What is wrong with lines in a plane."""
+    """The defects of lines in a plane."""
     statistics = statistics_of(curve)
     panels = [curve_panel(curve, marks), Panel(whole_legend(statistics))]
     render(panels, ViewFromAbove(curve, options.up), options.picture, told(statistics))

@@ -74,10 +74,9 @@ class Messages:
 def run(algorithm: vtkAlgorithm, progress: Optional[Progress] = None, harmless: tuple[str, ...] = ()) -> list[str]:
     """Bring an algorithm up to date; a writer writes.
 
-    Returns its warnings. Raises `Error` with its first error that does not begin with one of
-    `harmless`. What is upstream of the algorithm reports for itself: run that before. Raises
-    `KeyboardInterrupt` after Ctrl-C, when the algorithm has stopped, and whatever `progress` raises,
-    which stops it too.
+    Returns its warnings. Raises `Error` with its first error that does not begin with one of `harmless`. Algorithms
+    upstream report their own errors: run them before. Raises `KeyboardInterrupt` after Ctrl-C, when the algorithm has
+    stopped, and whatever `progress` raises, which stops it too.
     """
     _require_memory(algorithm)
     algorithm.SetAbortExecute(0)
@@ -142,7 +141,7 @@ def _require_memory(algorithm: vtkAlgorithm) -> None:
 
 
 def _memory_suffices_for(*inputs: Optional[vtkDataObject]) -> bool:
-    """What VTK makes of data is rarely larger than twice these."""
+    """VTK's copies of data are rarely larger than twice these."""
     try:
         np.empty(2048 * sum(data.GetActualMemorySize() for data in inputs if data is not None), np.uint8)
     except MemoryError:
@@ -212,7 +211,7 @@ def plain_message(decorated: str) -> str:
     return lines[0] if lines else "unknown error"
 
 
-# What vtkInsideOutUpdate.h calls the events that a listener is told of.
+# Names of a listener's events, as in vtkInsideOutUpdate.h.
 _PROGRESS, _WARNING, _ERROR, _REQUEST_FAILED = range(4)
 
 _ListenerFunction = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_int, ctypes.c_char_p, ctypes.c_double)

@@ -20,7 +20,7 @@ from .pipeline import Error, run, write_bytes, write_data
 QUERIES = (".csv", ".vti")
 
 FOUND = ("w", "inside", "distance")
-"""What a table gains, the last where it is asked for; columns of these names, in capitals too, get new values instead."""
+"""New columns of a table, the last on request; existing columns of these names, in any case, get new values."""
 
 
 class Places(Protocol):

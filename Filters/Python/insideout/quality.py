@@ -58,11 +58,11 @@ class SolidCheck(MeshResult):
     histogram: list[int]
     """How many dihedral angles are in each 5 degrees, from 0 to 180."""
     findings: list[Finding]
-    """What is wrong, with what matters first; empty when nothing is."""
+    """The defects, most important first; empty if there are none."""
     verdict: str
     """Whether it is a mesh that a solver takes, in one sentence."""
     warnings: list[str]
-    """What is worth knowing about the input, one line each."""
+    """Warnings about the input, one line each."""
 
     def figures(self) -> list[tuple[str, str]]:
         return [
@@ -83,15 +83,15 @@ _TREATMENTS = ("RefinedCells", "SurfaceDistance")
 
 @for_users
 def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> SolidCheck:
-    """What is wrong with a solid of tetrahedra, and how good they are. Nothing is changed.
+    """Find the defects of a solid of tetrahedra, and the quality of its cells. Nothing is changed.
 
     solid     a vtkUnstructuredGrid of tetrahedra, of first or second order; the name of a .vtu, .msh,
               .inp or .mesh file; a pair (points, cells) of arrays; a meshio.Mesh; or a VTK algorithm
     progress  called with the stage and the fraction of all the work that is done
 
-    What is flat, negative, or does not fit together is decided exactly; what a solver refuses, in doubles as it computes. A
-    warning names the option that helps. Returns a `SolidCheck`. Raises
-    `Error` with one line that names what is wrong where it is no solid at all.
+    Flat, negative and non-conforming cells are found exactly; cells that a solver refuses, in doubles as it computes. A
+    warning names the option that helps. Returns a `SolidCheck`. Raises `Error` with one line that names the culprit if
+    the input is not a solid.
     """
     measure = vtkSolidQuality()
     grid, warnings = as_solid(solid)

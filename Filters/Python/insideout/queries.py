@@ -61,7 +61,7 @@ def _ask_at(
 
 @dataclass(frozen=True)
 class Answer:
-    """What a probe says, and what is worth knowing about it, one line each."""
+    """The answers of a probe, and warnings about them, one line each."""
 
     probe: vtkProbeWindingNumber
     warnings: list[str]
@@ -73,7 +73,7 @@ class Answer:
 def ask(
     surface: AnySurface, places: vtkDataSet, options: Options, progress: Optional[Progress], **properties: Any
 ) -> Answer:
-    """Of the points of a data set; `properties` are further ones of vtkProbeWindingNumber."""
+    """Probe at the points of a data set; `properties` are further ones of vtkProbeWindingNumber."""
     polygons, warnings = as_surface(surface, options.factor())
     probe = options.measured_on(polygons).set_on(vtkProbeWindingNumber())
     for name, value in properties.items():

@@ -25,7 +25,7 @@ from .vtkFiltersInsideOut import vtkRefineTetrahedra
 Sizes = Union[str, ArrayLike]
 
 SIZES = "insideout.sizes"
-"""What the array of lengths is called that a caller gives without a name."""
+"""The name of the array of lengths that a caller gives without a name."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -37,7 +37,7 @@ class Refinement(MeshResult):
     statistics: Statistics
     """Counts and seconds, by name, and what the solid came with."""
     warnings: list[str]
-    """What is worth knowing, one line each."""
+    """Warnings, one line each."""
 
     def figures(self) -> list[tuple[str, str]]:
         return [
@@ -67,8 +67,8 @@ def refine(
 
     {options}
 
-    What is not given has the default of the class vtkRefineTetrahedra. Returns a `Refinement`. Raises `Error`
-    with one line that names what is wrong.
+    Omitted options have the defaults of the class vtkRefineTetrahedra. Returns a `Refinement`. Raises `Error` with one
+    line that names what is wrong.
     """
     options = Options.among(locals())
     grid, warnings = as_solid(solid)

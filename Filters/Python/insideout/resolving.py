@@ -29,7 +29,7 @@ class Resolution(MeshResult):
     left_out_cells: list[int]
     """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
     warnings: list[str]
-    """What is worth knowing about the input, one line each."""
+    """Warnings about the input, one line each."""
 
     def figures(self) -> list[tuple[str, str]]:
         return [

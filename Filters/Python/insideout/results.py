@@ -25,7 +25,7 @@ class Result:
     """The base of the dataclasses that functions return."""
 
     def figures(self) -> list[tuple[str, str]]:
-        """What is worth knowing about it: words, and how much or what of it."""
+        """A warning: words, and the amount."""
         raise NotImplementedError
 
     def png(self) -> bytes:
@@ -83,7 +83,7 @@ class MeshResult(Result):
 
     @property
     def volume(self) -> float:
-        """Of the solid; where there is none what the surface encloses. In two dimensions the area."""
+        """The volume of the solid, or else the volume that the surface encloses. In two dimensions the area."""
         has_layers = isinstance(getattr(self, "solid", None), LayeredCells)
         return float(self._first_of("boundary" if has_layers else "solid", "boundary", "surface").volume)
 

@@ -51,7 +51,7 @@ from .worst import Place, segments_of, worst_places
 AnyView = Union[View, ViewFromAbove]
 
 FEW_FACETS = 5000
-"""Up to so many each is drawn with its edges."""
+"""Up to this number each is drawn with its edges."""
 
 LINES: Sequence[tuple[int, Colour]] = (
     (vtkSurfaceDefects.INTERSECTION_CURVE, CROSSING),
@@ -59,10 +59,10 @@ LINES: Sequence[tuple[int, Colour]] = (
     (vtkSurfaceDefects.NON_MANIFOLD_EDGE, NON_MANIFOLD),
     (vtkSurfaceDefects.OPEN_BOUNDARY, OPEN),
 )
-"""What is drawn over what, the last on top."""
+"""The drawing order, the last on top."""
 
 WIDTH, THIN, MANY_LINES = 5, 2.5, 2000
-"""Of these lines, in pixels; many are thin, or they would hide the surface."""
+"""Widths of these lines, in pixels; thin if there are many, or they would hide the surface."""
 
 FACETS: Sequence[Colour] = (SOUND, CROSSING_FACETS, TURNED, DUPLICATE)
 """The colors of facets; a facet of several kinds has the last."""
@@ -119,7 +119,7 @@ def surface_panel(marked: vtkPolyData, lines: vtkPolyData, statistics: Mapping[s
 
 
 def defect_panels(marked: vtkPolyData, lines: vtkPolyData, statistics: Mapping[str, float], view: View) -> list[Panel]:
-    """What is wrong, from two sides, with labels at the worst places, and all counts."""
+    """The defects, from two sides, with labels at the worst places, and all counts."""
     places = worst_places(marked, lines)
     panels = []
     for name, side, other in (("front", view, view.from_behind()), ("behind", view.from_behind(), view)):

@@ -18,7 +18,7 @@ ATTRIBUTES = ("PointData", "CellData", "FieldData")
 
 
 class Plain:
-    """A data set of VTK's own, which cannot be pickled itself. What comes out of the pickle is the data set."""
+    """A data set of VTK's own, which cannot be pickled itself. Unpickling returns the data set."""
 
     def __init__(self, data: Any):
         self.data = data

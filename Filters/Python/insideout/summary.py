@@ -34,7 +34,7 @@ COUNTS = {
 """What tables call the statistics."""
 
 MOST_LISTED = 8
-"""Of regions and tags, in a line."""
+"""Regions and tags, in a line."""
 
 CHECK_ROWS = ("Points", "Facets", "OpenEdges", "IntersectingPairs", "Components", "NonManifoldEdges", "InconsistentEdges", "NearPoints")
 COLUMNS = ("InputTriangles", "OpenEdges", "IntersectingPairs", "InsideCells", "InsidePlaces", "Cells", "SecondsTotal")
@@ -55,7 +55,7 @@ TIMES = (
 
 
 def defects(statistics: Mapping[str, float]) -> list[str]:
-    """What was wrong with the surface, one line each; none when nothing was."""
+    """The defects of the surface, one line each; none if there are none."""
     kinds = PLANAR_DEFECTS if statistics.get("Dimension", 3) == 2 else DEFECTS
     counts = ((defect, statistics.get(defect.statistic, 0)) for defect in kinds)
     return [defect.counted(count) for defect, count in counts if count > 0]
@@ -92,7 +92,7 @@ def _mass(statistics: Mapping[str, float]) -> list[str]:
 
 
 def _refined(statistics: Mapping[str, float]) -> list[str]:
-    """What became of the tetrahedra, if they were refined."""
+    """The result of refining the tetrahedra, if they were refined."""
     if "RefinedCells" not in statistics:
         return []
     cells, added, removed = (_count(statistics[key]) for key in ("RefinedCells", "AddedPoints", "RemovedPoints"))
@@ -109,7 +109,7 @@ def _refined(statistics: Mapping[str, float]) -> list[str]:
 
 
 def _layers(statistics: Mapping[str, float]) -> list[str]:
-    """What cells boundary layers have, if there are any."""
+    """The cells of boundary layers, if there are any."""
     if "Layers" not in statistics:
         return []
     prisms, pyramids, others = (_count(statistics[name]) for name in ("Prisms", "Pyramids", "LayerTetrahedra"))
@@ -141,7 +141,7 @@ def _parted(statistics: Mapping[str, float]) -> list[str]:
 
 
 def _topology(statistics: Mapping[str, float]) -> list[str]:
-    """What regions were dropped, cavities filled and regions joined, if any."""
+    """The dropped regions, filled cavities and joined regions, if any."""
     what = "area" if statistics.get("Dimension", 3) == 2 else "volume"
     lines = []
     for counted, one, many, size in (

@@ -54,8 +54,8 @@ class Tetrahedralization(MeshResult):
     """The tetrahedra inside, with `w` and `RegionId` per cell, parted and refined where that was asked for. Empty, with a warning, when
     nothing is inside; and with `surface_only`, as the hull is. With `layers` it is a `LayeredCells`."""
     boundary: Union[TriangleSurface, Polylines]
-    """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle. Of
-    bodies behind that the interfaces between regions: see `RegionIds`."""
+    """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle.
+    With several bodies the interfaces between regions follow: see `RegionIds`."""
     outliers: Union[TriangleSurface, Polylines]
     """The pieces of input facets that are no face of a cell inside, with the reason in `OutlierReason`."""
     hull: Union[Tetrahedra, Triangles]
@@ -69,7 +69,7 @@ class Tetrahedralization(MeshResult):
     lost_cells: list[int]
     """The cells of the surface that the mesh does not follow, all or in part; hardly ever any."""
     warnings: list[str]
-    """What is worth knowing about the input, one line each."""
+    """Warnings about the input, one line each."""
 
     @property
     def verdict(self) -> str:
@@ -88,7 +88,7 @@ class Tetrahedralization(MeshResult):
             fields = self.hull.GetFieldData()
             areas, centers = (vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Area", "CenterOfMass"))
             return [Region(area, (x, y, z), (0.0,) * 6) for area, (x, y, z) in zip(areas, centers)]
-        # What a remeshed boundary encloses is told by the solid; one that is empty has no regions.
+        # The solid tells the volume enclosed by a remeshed boundary; an empty solid has no regions.
         fields = (self.solid if self.solid.GetFieldData().HasArray("RegionVolume") else self.hull).GetFieldData()
         if not fields.HasArray("RegionVolume"):
             return []
@@ -118,8 +118,8 @@ class Tetrahedralization(MeshResult):
     @property
     def tags(self) -> dict[str, NDArray[np.int64]]:
         """The triangles of the boundary that have each tag, by its name: groups, materials or solids of the surface, or
-        what `tag_array` says; those that close a hole are called "hole". Of bodies by the regions on both sides, as
-        "bone|fat" and "fat|outside"."""
+        the tags in `tag_array`; triangles that close a hole have the name "hole". With several bodies the names are the
+        regions on both sides, as "bone|fat" and "fat|outside"."""
         names = strings_of(self.boundary.GetFieldData().GetAbstractArray("BoundaryTagNames"))
         of_triangle = vtk_to_numpy(self.boundary.GetCellData().GetArray("BoundaryTag"))
         return {name: np.flatnonzero(of_triangle == tag) for tag, name in enumerate(names)}
@@ -150,10 +150,10 @@ class Tetrahedralization(MeshResult):
         """The solid and its boundary as one meshio.Mesh: tetrahedra and triangles with all their arrays, in groups.
 
         There is a block of cells for each region and tag. `gmsh:physical` and `gmsh:geometrical` of cells are RegionId
-        and BoundaryTag plus 1, `gmsh:dim_tags` of points says what they lie on, and field_data has the number and
-        dimension of each group by its name, as meshio has them of a .msh file. An array that only one of the two has
-        is NaN at the other's cells, or -1, or 0 where it has no sign; FacetIds, of four components, becomes FacetIds_0
-        to _3, for few formats have four.
+        and BoundaryTag plus 1; `gmsh:dim_tags` of points are the entities that they lie on. field_data has the number
+        and dimension of each group by name, as meshio reads them from a .msh file. An array of only one of the two is
+        NaN at the other's cells, or -1, or 0 if it is unsigned. FacetIds, of four components, becomes FacetIds_0 to _3,
+        because few formats support four.
         """
         if is_boundary_alone(self.solid, self.boundary):
             raise Error("the mesh has the solid's cells, and surface_only left these away")
@@ -180,8 +180,8 @@ def tetrahedralize(
 
     {options}
 
-    What is not given has the default of vtkRobustTetrahedralize and of its stages. Returns a
-    `Tetrahedralization`. Raises `Error` with one line that names what is wrong.
+    Omitted options have the defaults of vtkRobustTetrahedralize and of its stages. Returns a `Tetrahedralization`.
+    Raises `Error` with one line that names what is wrong.
     """
     options = Options.among(locals())
     makes_layers = options.makes_layers()
@@ -238,7 +238,7 @@ def tetrahedralize(
 
 
 def _triangulator(options: Options, polygons: vtkPolyData, body_array: Optional[str]) -> Tuple[vtkRobustTriangulate, list[str]]:
-    """What makes triangles in a plane, and what is to be told. Raises `Error` for what tetrahedra alone can be given."""
+    """The filter for triangles in a plane, and its warnings. Raises `Error` for options that only tetrahedra have."""
     algorithm = vtkRobustTriangulate()
     left_out = options.left_out_by(algorithm)
     if body_array:
@@ -261,7 +261,7 @@ def _copy_of(output: vtkDataObject) -> Any:
 
 
 def _without_cells(grid: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
-    """What is told of a grid."""
+    """The statistics of a grid."""
     told = vtkUnstructuredGrid()
     told.GetFieldData().ShallowCopy(grid.GetFieldData())
     return told

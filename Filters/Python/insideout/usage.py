@@ -100,7 +100,7 @@ _OTHERS: dict[str, dict[str, Any]] = {
     "threads": {"metavar": "N", "type": int, "help": "how many threads work, at most four per processor and VTK_SMP_MAX_THREADS; by default one each"},
     "quiet": {"action": "store_true", "help": "print nothing but errors"},
 }
-"""What argparse is to know of options that no filter has."""
+"""Arguments for argparse of options that are not a filter's."""
 
 OTHER_FLAGS = {
     "output": ["-o"],
@@ -296,7 +296,7 @@ insideout draw solid.vtu angles.png
 }
 
 def argument_of(name: str) -> dict[str, Any]:
-    """What argparse is to know of an option."""
+    """An option's arguments for argparse."""
     if name in _OTHERS:
         return {"dest": name, **_OTHERS[name]}
     return {"dest": name, "help": help_of(name, flag_of, ""), **OPTIONS[name].argument()}

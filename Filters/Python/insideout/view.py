@@ -18,7 +18,7 @@ PANEL_WIDTH, HEIGHT = 800, 900
 WIDTH_USED, HEIGHT_USED = 0.92, 0.77  # of a panel; the rest is for words
 FLAT_HEIGHT_USED = 0.7
 
-PLACES, SQUARES = 20000, 48  # of an outline: places on the surface, seen through so many squares each way
+PLACES, SQUARES = 20000, 48  # for an outline: places on the surface, seen through this number of squares each way
 EVEN_STEPS = (0.7548776662466927, 0.5698402909980532)  # multiples of these, modulo 1, fill a square evenly
 VERY_FLAT = 1 / 3  # of its lesser width
 MUCH_LONGER = 1.1
@@ -47,9 +47,9 @@ def shown(places: NDArray[np.float64], size: NDArray[np.float64], axis: int) -> 
 class View:
     """Where a surface is seen from: the side that shows most, a little from the right and from above.
 
-    Up is what it is told, or else y, as in most files but STL's, or z if the surface is longer along it by a tenth.
-    Of the four sides, and the top if it is very flat, it is the one whose outline is largest; of two opposite ones
-    that with more points before the middle, which has more detail.
+    Up is as given, or else y, as in most files but STL's, or z if the surface is longer along it by a tenth. The chosen
+    side has the largest outline of the four sides, and of the top if the surface is very flat. Between two opposite
+    ones, more points in front of the center decide: that side has more detail.
     """
 
     def __init__(self, surface: vtkPolyData, up: Optional[str] = None):

@@ -23,7 +23,7 @@ KINDS = (
 )
 
 DIGITS = 4
-"""Of coordinates."""
+"""coordinates"""
 
 
 class Place(NamedTuple):
@@ -36,7 +36,7 @@ class Place(NamedTuple):
 
 
 def worst_places(marked: vtkPolyData, lines: vtkPolyData) -> list[Place]:
-    """Of each kind of line the longest that hangs together, and the largest part that faces the wrong way."""
+    """For each kind of line the longest connected one, and the largest part that faces the wrong way."""
     found = [(statistic, _longest(lines_of(lines, kind), text)) for kind, statistic, text in KINDS]
     found.append(("TurnedFacets", _largest_turned(marked)))
     decimals = DIGITS - int(np.ceil(np.log10(max(marked.GetLength(), np.finfo(float).tiny))))

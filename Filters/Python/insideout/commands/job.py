@@ -35,7 +35,7 @@ SUCCESS, FAILURE = 0, 1
 
 
 class Job:
-    """What the command does with one surface, and what is known of it so far."""
+    """The command's work on one surface, and its results so far."""
 
     stages: Sequence[str] = ()
     readable: tuple[str, ...] = READABLE_SURFACES
@@ -230,7 +230,7 @@ class Job:
         self.is_report_written = True
 
     def report(self) -> dict[str, Any]:
-        """What was found and done, as JSON can hold it."""
+        """The results, in a form that JSON can represent."""
         report = {
             "version": __version__,
             "input": self.files.name(),
@@ -254,7 +254,7 @@ class Job:
         print_error(f"{surface}: {message}" if self.options.several and surface not in message else message)
 
     def notes(self) -> list[str]:
-        """What is as it should be, but good to know, one line each."""
+        """Notes on the result that are not warnings, one line each."""
         return self.lengths
 
     def print_summary(self) -> None:

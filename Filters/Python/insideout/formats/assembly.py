@@ -17,7 +17,7 @@ from ..serializing import vtk_array
 BYTES_OF_POINT = 24
 BYTES_OF_TRIANGLE = 32
 BYTES_OF_PLACEMENT = 1000
-"""What each takes at least while they are put together, objects whenever they are placed."""
+"""Least memory of each item during assembly, including objects wherever they are placed."""
 
 NO_MATERIAL = "default"
 """What OBJ calls it."""
@@ -41,7 +41,7 @@ class Assembly:
         self._material_of: list[NDArray[np.int32]] = [np.zeros(0, np.int32)]
 
     def begin_object(self, name: str) -> None:
-        """What the next triangles are called."""
+        """Set the names of the next triangles."""
         self.charge(BYTES_OF_PLACEMENT)
         self._objects.append(_valid(name))
 

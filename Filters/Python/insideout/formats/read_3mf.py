@@ -89,7 +89,7 @@ class _Model:
         self.materials: dict[tuple[Optional[str], int], int] = {}
         self.bases: dict[str, list[str]] = {}
         self.numbers = np.zeros(0, np.int32)
-        """What the assembly calls each of `materials`, when all is read."""
+        """The assembly's numbers for each of `materials`, when all is read."""
         self._current = _Object("")
         self._base: list[str] = []
         self._spaces: dict[Optional[str], str] = {}
