@@ -26,7 +26,7 @@
  * vtkOriginalPointIds of a point that stays is its value in the input's array of that name, else
  * the input point; -1 for a new one. Field data: the input's, and Statistics (named by
  * StatisticsNames) of AddedPoints and RemovedPoints (a point that moved counts in both; without the
- * points amid edges), RefinedCells, CellsAboveMaximumVolume where MaximumVolume is given, and
+ * mid-edge nodes), RefinedCells, CellsAboveMaximumVolume where MaximumVolume is given, and
  * SecondsRefine; of a surface that is not kept SurfacePoints (of the points, those added on it) and
  * KeptFacets (that stay as they are since they cross others); of a remeshed one SurfaceTolerance
  * and, found by samples, SurfaceDistance (how far it is from the input's) and InputDistance (how

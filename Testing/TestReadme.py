@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every block of code on README.md and the pages beside the code runs as it stands there, twice in the same folder, and prints
-what the page says that it prints.
+"""Runs every block of code on README.md and the pages beside the code as printed, twice in the same folder, and compares its
+output with the page's.
 
     python3 TestReadme.py BUILD_FOLDER [PAGE...]
 

@@ -18,8 +18,8 @@ LONGEST_FUNCTION = 100  # lines, from the first of the declaration to the closin
 SOURCE_FOLDERS = ("Filters", "Plugin", "Testing", "Examples")
 CPP = (".h", ".cxx")
 
-# What may hold a brace or a keyword that is none: comments, raw strings, strings, characters, the preprocessor's lines.
-# An apostrophe behind a letter or digit parts digits.
+# Parts of code that may contain a brace or a keyword that is none: comments, raw strings, strings, characters, the
+# preprocessor's lines. An apostrophe after a letter or digit separates digits.
 NO_CODE = re.compile(
     r"""//[^\n]*|/\*.*?\*/|R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|(?<!\w)'(?:\\.|[^'\\\n])+'"""
     r"|^[ \t]*\#(?:\\\n|[^\n])*",

@@ -14,7 +14,7 @@ namespace
 constexpr Limit Target = AtMost(1.0); ///< our union over CGAL's, of the same clean pair
 constexpr int Runs = 5;
 
-/** Of a pair of so many triangles in all. */
+/** Measure a pair with this number of triangles together. */
 void Measure(int triangles)
 {
   const TriangleSoup a = BumpySphere(triangles / 2, 0, 0);
@@ -37,8 +37,8 @@ void Measure(int triangles)
 }
 } // namespace
 
-/** BenchmarkBoolean [TRIANGLES...]: the union of two clean surfaces, of so many triangles together,
- * against CGAL's. Lines as in Measure.h. */
+/** BenchmarkBoolean [TRIANGLES...]: the union of two clean surfaces, with TRIANGLES triangles
+ * together, against CGAL's. Lines as in Measure.h. */
 int main(int argc, char** argv)
 {
   for (int i = 1; i < argc; ++i)

@@ -167,7 +167,7 @@ private:
   std::vector<BoundaryTriangle> Boundary;
 };
 
-/** Of one call, from as many as take several time slices together. */
+/** The time of one call, from a number of calls that takes several time slices. */
 double MeanSeconds(const std::function<void()>& work, int calls)
 {
   return SecondsOf(

@@ -207,7 +207,9 @@ void Measure(const std::string& path)
   MeasureEngine(name, surface, tetgenManages, "automatic", TetrahedralizationEngine::Automatic);
 }
 
-/** A closed surface of about so many points, with waves, so that nothing in it is regular. */
+/**
+ * A closed surface of about this number of points, with waves, so that nothing in it is regular.
+ */
 FacetComplex WavyTorus(int points)
 {
   const int side = static_cast<int>(std::sqrt(points));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * BenchmarkDistance SURFACE...: distances at the points of a grid around each surface, which share
- * searches with their neighbors, against the same points one by one, each from the facet of the one
- * before on. Both have the same distances.
+ * @file BenchmarkDistance SURFACE...: distances at the points of a grid around each surface, which
+ * share searches with their neighbors. They are compared with the same points one by one, each
+ * starting from the facet of the one before. Both have the same distances.
  */
 #include "Distance/SurfaceDistance.h"
 #include "Measure.h"

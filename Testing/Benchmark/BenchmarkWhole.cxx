@@ -166,9 +166,10 @@ void Measure(const std::string& path, int subdivisions)
 } // namespace
 
 /**
- * BenchmarkWhole SURFACE [TIMES]: the whole pipeline on a surface, and subdivided once, twice, so
- * many times (2 where it is not given), each time into four times as many facets: a table of its
- * stages' seconds on one thread and on two, and of the memory. Lines as in Measure.h.
+ * BenchmarkWhole SURFACE [TIMES]: the whole pipeline on a surface, and on the surface subdivided
+ * once, twice, up to TIMES times (2 by default), each time into four times as many facets. It
+ * prints a table of the stages' seconds on one thread and on two, and of the memory. Lines as in
+ * Measure.h.
  */
 int main(int argc, char** argv)
 {

@@ -6,8 +6,7 @@
 #include <functional>
 #include <string>
 
-/** What the resolver is compared with: CGAL finding the pairs of facets that meet, on one thread.
- */
+/** The reference for the resolver: CGAL finds the pairs of facets that meet, on one thread. */
 namespace benchmark
 {
 struct Detection

@@ -39,7 +39,7 @@ constexpr Limit AtLeast(double value)
   return { Limit::Side::AtLeast, value };
 }
 
-/** What a surface is called: its file's name without folder and ending. */
+/** The name of a surface: its file's name without folder and ending. */
 inline std::string StemOf(const std::string& path)
 {
   const std::string name = path.substr(path.find_last_of('/') + 1);

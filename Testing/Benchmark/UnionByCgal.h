@@ -5,7 +5,7 @@
 
 #include <functional>
 
-/** What booleans are compared with: CGAL's corefinement. */
+/** The reference for booleans: CGAL's corefinement. */
 namespace benchmark
 {
 /** The union of two surfaces, anew at each call: PMP::corefine_and_compute_union on Surface_meshes

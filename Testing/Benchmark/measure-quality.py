@@ -3,14 +3,14 @@
 
     measure-quality.py [SURFACE...] [--table TABLE.csv] [--inputs FOLDER] [--limit SECONDS] [--set NAME=VALUE]... [--only WORDS]
 
-Without a surface it takes 30 dirty and 10 clean ones of Debian's packages libcgal-demo and openfoam-examples.
-Each surface is meshed by the command line as it comes, without refinement. Every other mesher gets the boundary of
-that solid, watertight and without crossings, with a point in each cavity: vtkRefineTetrahedra gets the solid itself.
-Each runs in a process of its own, with a limit of processor time (120 s) and memory, with its defaults for sizes; its
-seconds are its own, without files. Where our 1 % angle is below another's that has more cells, ours is meshed again with a
-Grading that gives about as many. --set sets a property of vtkRefineTetrahedra, to bring our number of cells near another's:
-`--set EdgeLength=0.1`. --only runs those meshers whose names match a regular expression. --table writes all figures,
---inputs keeps the files that the meshers were given.
+Without a surface it takes 30 dirty and 10 clean ones of Debian's packages libcgal-demo and openfoam-examples. Each
+surface is meshed by the command line as it comes, without refinement. Every other mesher gets the boundary of that
+solid, watertight and without crossings, with a point in each cavity: vtkRefineTetrahedra gets the solid itself. Each
+runs in a process of its own, with a limit of processor time (120 s) and memory, with its defaults for sizes; its
+seconds are its own, without files. If our 1 % angle is below another's that has more cells, ours is meshed again with a
+Grading that gives about as many cells. The option --set sets a property of vtkRefineTetrahedra, to bring our number of
+cells near another's: `--set EdgeLength=0.1`. The option --only runs those meshers whose names match a regular expression. --table writes all
+figures, --inputs keeps the files that the meshers were given.
 
 Prints lines as Measure.h does: of the 1 % quantiles of dihedral angles where both made a mesh, and of the seconds. The
 summary before them is the table of README.md.
@@ -58,7 +58,7 @@ MOST_SECONDS = 1.5
 """Times what the other takes, in the median."""
 
 LIKE_NUMBER = (0.8, 1.0)
-"""Of the other's cells."""
+"""Our number of cells, relative to the other's."""
 GRADINGS = (0.001, 0.5)
 MOST_TRIES = 8
 
@@ -92,7 +92,7 @@ class Row:
         return own is not None and other is not None and own < other
 
     def lines(self) -> list[list[str]]:
-        """Of the table."""
+        """A row of the table."""
         if self.trouble:
             return [[self.name, "", "", "", "ours, as it comes", *[""] * 7, self.trouble]]
         surface = [self.name, str(self.triangles), str(self.sharp), str(self.cavities)]
@@ -183,7 +183,7 @@ def ratio_lines(row: Row) -> list[str]:
 
 
 def median_lines(rows: list[Row]) -> list[str]:
-    """Of the angles and of the seconds of all surfaces that both meshed."""
+    """Ratios of the angles and of the seconds of all surfaces that both meshed."""
     lines = []
     for prefix, (ours, peer) in PAIRS.items():
         both = [(row.outcomes[ours], row.outcomes[peer]) for row in rows if row.one_percent(ours) and row.one_percent(peer)]

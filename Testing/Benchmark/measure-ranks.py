@@ -77,7 +77,7 @@ def assembly_piece(sizes, rank, ranks):
 
 
 def memory_now(name):
-    """Of this process, in KiB: what it holds (VmRSS), and the most that it held (VmHWM)."""
+    """A figure of this process in KiB: its memory now (VmRSS), or at its peak (VmHWM)."""
     with open("/proc/self/status", encoding="utf-8") as status:
         return int(next(line for line in status if line.startswith(name)).split()[1])
 

@@ -7,7 +7,7 @@ VTK is the folder in which Debian's packages libvtk9.1 and python3-vtk9 are unpa
 VTK has no stencils.
 
 image/NAME: a mask of 300 x 300 x 300 points by vtkProbeWindingNumber (Inside alone) against vtkPolyDataToImageStencil
-and vtkImageStencilToImage, which make the same mask of a closed surface, in a process of their own; image/NAME-open: the
+and vtkImageStencilToImage. These make the same mask of a closed surface, in a process of their own; image/NAME-open: the
 same of the surface with 20 holes, against VTK's time for the whole one.
 distance/NAME: signed distances at 20,000 places by vtkProbeWindingNumber and by vtkImplicitWindingNumber against
 vtkImplicitPolyDataDistance, and how often the signs differ; all that is built for it is in each time.
@@ -48,7 +48,7 @@ def seconds_of(run: Callable[[], object]) -> Callable[[], float]:
 
 
 def medians(*seconds: Callable[[], float]) -> list[float]:
-    """Of each, by turns, after one round for warming up."""
+    """The median seconds of each, in turns, after one round for warming up."""
     rounds = [[each() for each in seconds] for _ in range(REPETITIONS + 1)]
     return [statistics.median(column) for column in zip(*rounds[1:])]
 
@@ -59,7 +59,7 @@ def triangles_of(surface: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def with_holes(surface: vtkPolyData) -> vtkPolyData:
-    """Without some facets around each of some places, as far as holes of so many edges reach."""
+    """Remove some facets around each of some places, up to holes of this number of edges."""
     points, triangles = triangles_of(surface)
     centres = points[triangles].mean(axis=1)
     kept = np.ones(len(triangles), bool)

@@ -50,7 +50,7 @@ class Outcome:
     seconds: Optional[float]
     """Processor time of the mesher's own, without files: each has one thread."""
     trouble: str = ""
-    """What is wrong with the mesh, or why there is none."""
+    """The mesh's defects, or the reason for its absence."""
 
 
 @dataclass

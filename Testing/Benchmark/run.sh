@@ -1,11 +1,11 @@
 #!/bin/sh
-# SPDX-License-Identifier: GPL-3.0-or-later
-# run.sh [SURFACE...]: build in Release and measure every stage that has a target, on real models
-# that Debian packages and on the surfaces given. Prints seconds for people and, for machines, one
-# line `ratio NAME VALUE at most|at least LIMIT` per target. Builds in build-benchmark/, and draws
-# the thesis's figures 8.10 and 8.11 in build-benchmark/figures. What winding numbers are compared
-# with needs libembree-dev, drawing python3-matplotlib; what tetrahedra are compared with, in
-# build-benchmark/quality.csv, needs tetgen, gmsh, python3-netgen and python3-meshio.
+# SPDX-License-Identifier: GPL-3.0-or-later run.sh [SURFACE...]: build in Release and measure every
+# stage that has a target, on real models that Debian packages and on the surfaces given. Prints
+# seconds for people and, for machines, one line `ratio NAME VALUE at most|at least LIMIT` per
+# target. Builds in build-benchmark/, and draws the thesis's figures 8.10 and 8.11 in
+# build-benchmark/figures. The reference for winding numbers needs libembree-dev, drawing
+# python3-matplotlib; the references for tetrahedra, in build-benchmark/quality.csv, need tetgen,
+# gmsh, python3-netgen and python3-meshio.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..

@@ -42,14 +42,14 @@ def read_grid(path: str) -> vtkUnstructuredGrid:
 
 
 def points_and_cells(grid: vtkUnstructuredGrid) -> tuple[np.ndarray, np.ndarray]:
-    """Of a grid of tetrahedra, of second order too: the corners are what counts."""
+    """The points and the linear cells of a grid of tetrahedra, of first or second order."""
     size = grid.GetCells().GetMaxCellSize()
     cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, size)[:, :4]
     return vtk_to_numpy(grid.GetPoints().GetData()).astype(float), cells
 
 
 def boundary_of(points: np.ndarray, cells: np.ndarray, inside: np.ndarray) -> Boundary:
-    """Of the cells inside, given all of a conforming mesh of the convex hull."""
+    """The boundary of the inside cells, given all cells of a conforming mesh of the convex hull."""
     faces = cells[:, FACES].reshape(-1, 3)
     owners = np.repeat(np.arange(len(cells)), 4)
     ordered = np.sort(faces, axis=1)
@@ -79,7 +79,7 @@ def boundary_of(points: np.ndarray, cells: np.ndarray, inside: np.ndarray) -> Bo
 
 
 def _parts(size: int, ones: np.ndarray, others: np.ndarray) -> np.ndarray:
-    """What is joined, by its lowest member."""
+    """Per item the lowest one that it is connected with."""
     parts = np.arange(size)
     while True:
         lowest = np.minimum(parts[ones], parts[others])

@@ -74,9 +74,9 @@ class Verdict:
 
     cells: int = 0
     volume: float = 0.0
-    """Of ours."""
+    """Relative to ours."""
     kept: float = 0.0
-    """Of all places on facets, how many lie on faces."""
+    """The fraction of all places on facets that lie on faces."""
     farthest: float = 0.0
     """From its faces, of the diagonal: a place on facets that ours keeps."""
     seconds: Optional[float] = None
@@ -94,7 +94,7 @@ class Row:
     verdicts: dict[str, Verdict] = field(default_factory=dict)
 
     def cells(self) -> list[str]:
-        """Of the table."""
+        """A row of the table."""
         if self.trouble:
             return [self.name, *[""] * len(COLUMNS), "", self.trouble]
         return [self.name, *(number(self.figures[statistic], column) for column, statistic in COLUMNS.items()), self.rung, ""]
@@ -105,7 +105,7 @@ def number(value: float, column: str) -> str:
 
 
 def thesis_row(name: str, facets: float) -> Optional[list[str]]:
-    """Of the model that a file is called after, if it is one of the thesis's and has as many facets."""
+    """The row of the model with the file's name, if it is one of the thesis's and has as many facets."""
     lines = Path(__file__).with_name("thesis-table.csv").read_text().splitlines()[1:]
     for model in csv.DictReader(lines):
         if _letters(model["model"]) == _letters(Path(name).stem) and int(model["F"]) == facets:
@@ -214,7 +214,7 @@ def triangles_as_they_come(path: str) -> insideout.TriangleSurface:
     return make_surface(points, corners[(corners != np.roll(corners, 1, axis=1)).all(axis=1)])
 
 
-# What is written
+# output
 
 
 def overview(rows: list[Row]) -> list[list[str]]:

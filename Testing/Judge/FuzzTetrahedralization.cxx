@@ -91,10 +91,10 @@ void TetrahedralizeOne(const std::string& name, const TriangleSoup& soup, Tally&
 } // namespace
 
 /**
- * FuzzTetrahedralization SURFACES [SEED]: resolves so many of the families of hard surfaces, of
- * random soups and of changed surfaces of the corpus, tetrahedralizes them and proves the laws of
- * meshes. Prints what is lost or goes wrong, and a sum at the end. Exit status 1 where a law is
- * broken or anything goes wrong.
+ * FuzzTetrahedralization SURFACES [SEED]: resolves SURFACES surfaces from families of hard
+ * surfaces, random soups and changed surfaces of the corpus. It tetrahedralizes them and checks the
+ * laws of meshes. It prints losses and errors, and a sum at the end. The exit status is 1 if a law
+ * is broken or on any error.
  */
 int main(int argc, char** argv)
 {

@@ -27,8 +27,7 @@ namespace
 constexpr double MostErrorToManyDigits = 1e-12;
 constexpr double MostErrorToSum = 1e-10;
 
-/** Sums in double-doubles; at one site in so many, but not at more than a hundred, in quads, too.
- */
+/** Sums in double-doubles; at every n-th site, at most a hundred, also in quads. */
 constexpr std::size_t SitesPerQuad = 20;
 constexpr std::size_t MostQuads = 100;
 
@@ -40,7 +39,7 @@ struct Numbers
   int Points = 100000; ///< random ones in the surface's box
   int Sample = 1000;   ///< of those, and of each kind on the surface, with many digits
   int Cells = 1000;    ///< likewise, beside all slivers
-  int Slivers = std::numeric_limits<int>::max(); ///< at most so many, the thinnest
+  int Slivers = std::numeric_limits<int>::max(); ///< limit of them, the thinnest
 };
 
 /** Largest difference between values and a reference; not a number where one is none. */
@@ -193,8 +192,9 @@ bool Verdict(double toDigits, double toSum)
 }
 
 /**
- * What w of the cells is of: the mesh's faces in facets, for a Steiner point on a facet is rounded
- * and a sliver beside it may lie between the facet and its faces, and the facets that are no faces.
+ * The surface that the cells' w refers to: the mesh's faces in facets, and the facets that are no
+ * faces. A Steiner point on a facet is rounded, and a sliver beside it may lie between the facet
+ * and its faces.
  */
 FacetComplex FacesAndFacetsBeyond(const FacetComplex& surface, const TetrahedralMesh& mesh)
 {
@@ -309,11 +309,12 @@ bool JudgeSoups(int soups, const Numbers& numbers)
 
 /**
  * JudgeWindingNumber [--points P] [--sample N] [--cells N] [--slivers N] [--soups N] SURFACE...:
- * compares w in the cells of each surface's hull mesh, and at P points of its box (100,000) and
- * some on the surface itself, with brute force. Everywhere with the sum over all facets in doubles;
- * with 30 digits and more in all slivers (or N, the thinnest) and N other cells (1000), at N of the
- * points and N on the surface of each kind (1000). Likewise N random soups. Exit status 1 where w
- * is not right to 1e-12, or a surface cannot be meshed.
+ * compares w with brute force: in the cells of each surface's hull mesh, at P points of its box
+ * (100,000) and at some on the surface. The reference is the sum over all facets, in doubles
+ * everywhere. It has 30 digits and more in all slivers (or N, the thinnest) and in N other cells
+ * (1000). The same holds at N of the points and N on the surface of each kind (1000). N random
+ * soups are treated likewise. The exit status is 1 if w is not right to 1e-12, or a surface cannot
+ * be meshed.
  */
 int main(int argc, char** argv)
 {

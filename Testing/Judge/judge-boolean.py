@@ -7,8 +7,8 @@
 
 Takes pairs of the surfaces at random, each scaled to one size, and turned and moved so that they cross: a third of two
 surfaces, a third of a surface and its own moved copy, and a third that touch in a plane: the copy is moved within the
-plane of its largest facet, or the largest facet of another is laid upon it. Of each pair A, B, the union, the
-intersection and the difference are made, each alone, and judged:
+plane of its largest facet, or the largest facet of another is laid upon it. For each pair A, B it makes the union, the
+intersection and the difference separately, and judges them:
 
     failed      no result, an error
     crossing    triangles of a result cross, or an edge is not run through as often one way as the other

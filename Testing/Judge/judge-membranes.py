@@ -9,7 +9,7 @@ Closed surfaces of at most 6,000 triangles are drawn from those given and from m
   surface. The solid's volume stays.
 - limbs: an open tube, or a dome without a bottom, is set on the surface or into it. The volume is that of its closed twin,
   within half a ball on each of its caps that is outside.
-- layers: a box, closed or without its top, is parted by sheets from wall to wall. Its volume stays.
+- layers: a box, closed or without its top, is divided by sheets from wall to wall. Its volume stays.
 - probe: half of the sheets' cases. The probe says of 500 places what the solid of the surface alone says.
 
 A line for each failure says how to make it again. Exit status 0 if each law holds in at least 98 % of its cases.

@@ -4,12 +4,12 @@
 
     judge-orientation.py [--seeds N] SURFACE...
 
-Takes the closed ones of the surfaces. Of each it turns shells, connected patches, or single facets (5, 30 and 50 %) over
-at random, with and without a large open sheet below, and compares what is inside then with what is inside the surface
-with all shells outward. One line per kind of change: the share of runs that give the same solid with Orientation
-automatic, with as-given, and for vtkPolyDataNormals' AutoOrientNormals; then every run that automatic fails, with its
-reason. The same is: the facets face the same way (no difference at all, counted apart), or else less than 1 % of the
-solid's volume differs, by places in the boxes of the surface and its shells.
+Takes the closed ones of the surfaces. For each surface it turns shells, connected patches, or single facets (5, 30 and
+50 %) over at random, with and without a large open sheet below. It compares the inside with that of the surface with
+all shells outward. One line per kind of change: the share of runs that give the same solid with Orientation automatic,
+with as-given, and for vtkPolyDataNormals' AutoOrientNormals; then every run that automatic fails, with its reason. Two
+solids are the same if the facets face the same way (no difference at all, counted apart). They also are if less than
+1 % of the solid's volume differs, by places in the boxes of the surface and its shells.
 """
 
 from __future__ import annotations

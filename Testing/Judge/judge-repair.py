@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Judges surfaces that are repaired without tetrahedra: each is held against the solid that the tetrahedra give.
+"""Judges surfaces that are repaired without tetrahedra: each is compared with the solid of tetrahedra.
 
     python3 judge-repair.py [--most FACETS] SURFACE...
 
-Of those that are closed the boundary has to bound the same volume to 1e-9, to run through each edge as often one way as the
-other, and to cross itself nowhere. Those that are open go through tetrahedra, and are counted. The processor time of both ways
-stands beside. Exit status 0 if all of it holds.
+The boundary of a closed surface has to bound the same volume to 1e-9. Its edges have equally many triangles in both
+directions, and it does not cross itself. Open surfaces go through tetrahedra, and are counted. The processor time of
+both ways is printed, too. The exit status is 0 if all holds.
 """
 
 from __future__ import annotations

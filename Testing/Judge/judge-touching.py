@@ -3,11 +3,11 @@
 
     python3 judge-touching.py [--turns N] [--seed N] [--only NAME]
 
-Ten assemblies are each turned and moved at random, and rounded to floats and to 6, 7 and 9 digits, or left in doubles, in
-a random order, each face triangulated at random. Each interface has to have the area that it has unrounded, but for
-rounding ("touch"; "advised": with the tolerance that a warning advises, where it warns); no facet is left out or lost; and
-bodies that are ten roundings apart stay so ("apart"). A line for each assembly and grid says in how many turns that holds. Exit
-status 0 if in all.
+Ten assemblies are each turned and moved at random. Coordinates are rounded to floats and to 6, 7 and 9 digits, or left
+in doubles, in a random order, and each face is triangulated at random. Each interface has to have the area that it has
+unrounded, but for rounding ("touch"; "advised": with the tolerance that a warning advises, where it warns); no facet is
+left out or lost; and bodies that are ten roundings apart stay so ("apart"). A line for each assembly and grid has the
+number of turns in which this holds. The exit status is 0 if it holds in all.
 """
 
 from __future__ import annotations

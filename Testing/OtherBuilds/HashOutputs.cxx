@@ -62,10 +62,10 @@ void PrintHashes(std::FILE* file, const std::string& name, const Hashes& hashes)
 } // namespace
 
 /**
- * HashOutputs FILE [--small] SURFACE...: writes a hash of what every stage makes of balls, of
- * random soups and of the surface files, and of what options make of tiny balls, tiny soups and the
- * files. The same lines have to come from every compiler, with and without optimization, and from
- * any number of threads (OMP_NUM_THREADS), all of which take part in every loop. --small leaves out
+ * HashOutputs FILE [--small] SURFACE...: writes hashes of every stage's results for balls, random
+ * soups and the surface files. Results of options are hashed for tiny balls, tiny soups and the
+ * files. The lines have to be the same from every compiler, with and without optimization, and from
+ * any number of threads (OMP_NUM_THREADS). All threads take part in every loop. --small leaves out
  * surfaces of many facets, and the options for files.
  */
 int main(int argc, char** argv)

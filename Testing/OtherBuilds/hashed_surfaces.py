@@ -242,7 +242,7 @@ def add_arrays(surface: vtkPolyData, size: float) -> None:
 
 
 def inputs_of(surface: Surface) -> dict[str, object]:
-    """What the classes are given, by the names that the tables of hash-classes.py use."""
+    """The inputs of the classes, by the names in the tables of hash-classes.py."""
     data = surface.make()
     size = size_of(data)
     for leaf in leaves_of(data).values():

@@ -100,7 +100,7 @@ def statistic(solid, which):
 
 
 def total(values):
-    """Of all ranks."""
+    """The sum over all ranks."""
     sent = numpy_to_vtk(np.array(values, float))
     received = numpy_to_vtk(np.zeros(len(values)))
     controller.AllReduce(sent, received, 2)  # vtkCommunicator.SUM_OP

@@ -46,7 +46,7 @@ assert names == [f"box {part}" for part in range(PARTS)], names
 
 
 def volume(block):
-    """Of a solid, whichever rank wrote it."""
+    """The volume of a solid, whichever rank wrote it."""
     if isinstance(block, vtkMultiBlockDataSet):
         return sum(volume(block.GetBlock(piece)) for piece in range(block.GetNumberOfBlocks()))
     return statistics_of(block).get("Volume", 0) if block else 0

@@ -162,7 +162,7 @@ class State:
         return [element.get("value") for element in proxy.iterfind(f"Property[@name='{name}']/Element")]
 
     def looks(self) -> dict[tuple[str, int], tuple[str, str, str]]:
-        """Of each thing that is shown, by name and port: how, by which array, in which color."""
+        """For each shown object, by name and port: its representation, array and color."""
         found = {}
         for proxy in self.proxies("representations"):
             source = proxy.find("Property[@name='Input']/Proxy")

@@ -74,7 +74,7 @@ def winding_numbers(surface, places, pieces):
 for name, steps, turned, hole in (("closed", 12, True, 0), ("open", 12, False, 9), ("sparse", 2, False, 0)):
     points, triangles = ball(steps, turned)
     triangles = triangles[hole:]
-    # Every so many triangles are a rank's own, and every third of the others a ghost of it.
+    # Every n-th triangle is a rank's own, and every third of the others is its ghost.
     owner = np.arange(len(triangles)) * 7 // 3 % RANKS
     held = (owner == RANK) | (np.arange(len(triangles)) % 3 == 0)
     piece = polydata(points, triangles[held], owner[held] != RANK)

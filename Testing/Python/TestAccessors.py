@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The functions of PyVista's data sets under the name `insideout`.
 
-PyVista is no package of Debian 12. A stand-in of ours has what is used of it, by what version 0.48 says of its mechanism: data sets
-that are VTK's; a lookup of an attribute that fails asks the entry points of the group `pyvista.accessors`, imports the module that one of the
-name has as its value, which registers a class, and looks again. It was never tried here with PyVista itself.
+PyVista is no package of Debian 12. A stand-in implements what is used of it, by the documentation of version 0.48. Its data sets are
+VTK's. A failed lookup of an attribute searches the entry points of the group `pyvista.accessors`. It imports the module of the one with
+the attribute's name, which registers a class, and looks the attribute up again. PyVista itself was never tried here.
 
     python3 TestAccessors.py
 """

@@ -70,7 +70,7 @@ def data_sets(data) -> list:
 
 
 def arrays_of(data: vtkDataSet) -> list[vtkAbstractArray]:
-    """Of points, cells and field data; and those that points and cells are made of."""
+    """Arrays of points, cells and field data; and the arrays that points and cells consist of."""
     kinds = (data.GetPointData(), data.GetCellData(), data.GetFieldData())
     found = [kind.GetAbstractArray(k) for kind in kinds for k in range(kind.GetNumberOfArrays())]
     if hasattr(data, "GetPoints") and data.GetPoints():

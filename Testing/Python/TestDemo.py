@@ -24,7 +24,7 @@ LIKELY_WRONG = {
     "bracket.obj": ("OpenEdges", "IntersectingPairs"),
     "outline.csv": ("OpenEnds", "Crossings"),
 }
-"""What each is there to show."""
+"""The feature that each file demonstrates."""
 
 
 class Demo(CommandLine):

@@ -38,7 +38,7 @@ HANGS = 100
 """Added to a signal, it comes in a call that never ends."""
 
 PIECES = 5
-"""Into so many pieces a file is broken that is written."""
+"""The number of pieces into which a written file is broken."""
 
 table: Counter = Counter()
 """How often what happened, by (kind of fault, output, what happened)."""
@@ -61,7 +61,7 @@ environment_of_fault.count = 0
 
 
 def calls_to_fail(size: int):
-    """The calls at which a file of so many bytes is made to fail, with words for each."""
+    """The calls at which writing a file of this size is made to fail, with words for each."""
     writes = -(-size // -(-size // PIECES))
     yield "open", 1, "create"
     yield "write", 1, "first write"

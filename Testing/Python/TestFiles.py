@@ -171,7 +171,7 @@ class RoundTrips(InAFolder):
 
 
 class Names(InAFolder):
-    """What is read where the name of a file does not say it, or not alone."""
+    """Files whose format the name does not tell, or not alone."""
 
     def test_every_format_may_be_compressed_and_shouted(self):
         for name in ("box.ply", "box.obj", "box.stl", "box.vtp", "BOX.PLY", "BOX.OBJ", "BOX.STL", "BOX.VTP"):

@@ -31,7 +31,7 @@ def distance_to_union(points: np.ndarray) -> np.ndarray:
     x, r = np.abs(points[..., 0]), np.hypot(points[..., 1], points[..., 2])
     outward, rim = x - APART / 2, np.sqrt(RADIUS**2 - (APART / 2) ** 2)
     to_sphere = np.hypot(outward, r) - RADIUS
-    # Of the part of a sphere that is no boundary the nearest point is on the rim where both meet.
+    # For the part of a sphere that is not on the boundary the nearest point is on the rim where both meet.
     nearest_is_hidden = outward * rim < -APART / 2 * r
     to_rim = np.hypot(x, r - rim)
     inside = to_sphere < 0
@@ -82,7 +82,7 @@ class Laws(unittest.TestCase):
                     self.assertLessEqual(np.abs(np.diff(grid.distance, axis=axis)).max(), step * (1 + 1e-12))
 
     def test_values_are_those_at_points_one_by_one(self):
-        """So many that neighbors share a search, and more than one box of them, with padding on all sides."""
+        """Enough points for neighbors to share a search, and for more than one box of them, with padding on all sides."""
         surface = two_spheres()
         grid = insideout.sdf_grid(surface, shape=(70, 36, 35), to="surface")
         self.assertEqual(grid.distance.shape, (70, 36, 35))

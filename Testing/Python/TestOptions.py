@@ -84,7 +84,7 @@ def values_of(made: object) -> dict[str, object]:
 
 
 def set_and_told(class_name: str, name: str, value: object) -> tuple[object, list[str]]:
-    """What a property is after it was set, and the warnings."""
+    """A property's value after it was set, and the warnings."""
     owner, told = owner_of(getattr(insideout, class_name)(), name), []
 
     def listen(_owner, _event, text):
@@ -282,7 +282,7 @@ class ParaView(unittest.TestCase):
 
 
 class Headers(unittest.TestCase):
-    """What is read of the headers, and the page that is made of it."""
+    """The declarations read from headers, and the page made from them."""
 
     def test_each_property_is_read_with_its_kind_range_and_default(self):
         kinds = {float: "double", int: "int", bool: "bool", str: "string"}
@@ -512,7 +512,7 @@ class CommandLine(unittest.TestCase):
 
 
 class Everywhere(unittest.TestCase):
-    """What several classes have is the same in each, but for what a class says of itself."""
+    """Properties of several classes are described the same in each, except for what is special to a class."""
 
     OTHER_WORDS = {
         ("vtkRobustTriangulate", "GenerateHull"): "fills two outputs",

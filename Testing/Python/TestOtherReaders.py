@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What every kind of run writes as .vtu and .ply is read by meshio, and surfaces by gmsh and VTK."""
+"""meshio reads .vtu and .ply files of every kind of run; gmsh and VTK read the surfaces."""
 
 import os
 import unittest

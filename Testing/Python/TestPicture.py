@@ -68,7 +68,7 @@ class TestView(unittest.TestCase):
             self.assertEqual(seen(surface)[0], (side * X).tolist())
 
     def test_the_outline_counts_and_not_the_box_around_it(self):
-        """Of a plate with a long pin the boxes around are all alike."""
+        """For a plate with a long pin the boxes around all sides are alike."""
         for plate, pin, axis in (((4, 4, 0.1), (0.1, 0.1, 4), 2), ((0.1, 4, 4), (4, 0.1, 0.1), 0)):
             (points, triangles), (more_points, more) = box(*plate), box(*pin)
             surface = (np.vstack([points, more_points]), np.vstack([triangles, more + len(points)]))

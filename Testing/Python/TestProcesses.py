@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Processes that are forked or spawned, also within a call, and too many threads.
 
-What hangs is ended by ctest: the test has a time limit there, which no test comes near.
+ctest ends tests that hang: the time limit there is far above the usual time.
 """
 
 import multiprocessing
@@ -17,7 +17,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 WORKERS = 4
-THREADS = 4  # even a machine with one processor takes so many
+THREADS = 4  # a machine with one processor supports this number, too
 
 
 def two_spheres(facets_around: int = 60):
@@ -34,7 +34,7 @@ def two_spheres(facets_around: int = 60):
 
 
 def answer(surface=None) -> tuple:
-    """What a surface is, as far as it can be compared. By the spheres when none is given."""
+    """The properties of a surface that can be compared. By default it is the spheres."""
     pipeline.set_threads(THREADS)
     result = insideout.tetrahedralize(two_spheres() if surface is None else surface)
     w = insideout.winding_number(surfaces.two_boxes(), [(0.25, 0.25, 0.25), (0.75, 0.75, 0.75)])
@@ -52,7 +52,7 @@ def answer_of_a_worker(method: str):
 
 
 def answers_of_workers(context, number: int, work, *arguments) -> list:
-    """What so many processes give, all at once."""
+    """The results of this number of processes, all at once."""
     receivers, processes = [], []
     for _ in range(number):
         receiver, sender = context.Pipe(duplex=False)

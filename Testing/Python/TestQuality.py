@@ -35,7 +35,7 @@ def solid_of(*cells, points=CORNERS):
 
 
 def apart(count):
-    """Where to put so many cells, for their points one after the other."""
+    """The places of this number of cells, for their points one after the other."""
     places = 2 * np.stack(np.unravel_index(np.arange(count), (10, 10, 10)), axis=1)
     return np.repeat(places, 4, axis=0)
 

@@ -139,7 +139,7 @@ class Surface(unittest.TestCase):
 
 
 class Lengths(unittest.TestCase):
-    """What is asked for of edges, and what the surface has."""
+    """The lengths wanted, and those that the surface has."""
 
     @staticmethod
     def edges_of(made) -> np.ndarray:

@@ -27,7 +27,7 @@ def size_of_process() -> int:
 
 
 def outcome(call, more: int) -> tuple[int, str]:
-    """How a copy of this process ends that may take so many bytes more, and what it says."""
+    """The end of a copy of this process whose memory is limited to this number of bytes more, and its output."""
     receiver, sender = os.pipe()
     child = os.fork()
     if child == 0:

@@ -405,7 +405,7 @@ class CalculiX(InAFolder):
                 np.testing.assert_allclose(found, surfaces.points_of(grid) * strain, atol=1e-7)
 
     def test_a_bar_between_walls_hangs_in_a_parabola(self):
-        """Of second order, with quadratic cells exact: wherever a midpoint were another's, it would not be."""
+        """Second order, with quadratic cells exact: if a midpoint were another's, they would not be."""
         grid = self.grids["quadratic"]
         self.written("solid.inp", grid)
         walls = "y_high, 2, 2\nz_high, 3, 3\n"

@@ -33,7 +33,7 @@ class Same(CommandLine):
         insideout.write(insideout.tetrahedralize(self.source), self.cells)
 
     def results(self, arguments: tuple[str, ...], names: list[str]) -> list:
-        """What the command prints and writes into some files, without what is measured."""
+        """The command's output and the content of some files, without measured values."""
         done = run(*arguments, cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         without_seconds = re.sub(r" +[\d,]+\.\d(?=  \S)", "", done.stdout)  # of tables

@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonCore import vtkBitArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 
 FACES = ("bottom", "top", "front", "back", "right", "left")
-"""Of surfaces.BOX_FACETS, two triangles each."""
+"""Tags of surfaces.BOX_FACETS, two triangles each."""
 
 
 def tagged(surface: vtkPolyData, values, name: str = "Part") -> vtkPolyData:

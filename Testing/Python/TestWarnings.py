@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is worth knowing and may change an answer is a Python warning of each function, told once, where it was called."""
+"""Circumstances that may change an answer are Python warnings of each function, given once, at the line of the call."""
 
 import os
 import subprocess

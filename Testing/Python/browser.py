@@ -113,7 +113,7 @@ class Browser:
 
     def pixels(self, element: Optional[str] = None) -> np.ndarray:
         """Red, green and blue of the window's part that an element takes, row by row from above."""
-        # What was asked to be drawn is drawn in the frame before the second one.
+        # The requested drawing is done in the frame before the second one.
         self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(1))))")
         content = base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
         with tempfile.NamedTemporaryFile(suffix=".png") as file:

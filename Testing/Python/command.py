@@ -17,7 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 
 USAGE_ERRORS = r"\(see .*--help\)$|: unknown ending, it must be|named twice|; it must be |the boundary is lines|such a file has tetrahedra here"
-"""What is said of arguments that make no sense, whatever the files hold."""
+"""The error message for senseless arguments, whatever the files contain."""
 
 
 def run(*arguments: str, **options) -> subprocess.CompletedProcess:

@@ -86,7 +86,9 @@ def turned_boxes(seed: int) -> list[vtkPolyData]:
 
 
 def ball_in_a_socket(gap) -> tuple[vtkPolyData, vtkPolyData]:
-    """Of radius 1 in a larger ball of radius 2, with triangles of their own, which bring it nearer by up to 0.004, and farther."""
+    """A ball of radius 1 in a larger ball of radius 2, with triangles of their own, which bring it nearer by up to
+    0.004, and farther.
+    """
     inner, outer = ball(1 + gap, 43, 38), ball(2, 8, 9)
     points = np.concatenate([points_of(outer), points_of(inner)[:, [1, 2, 0]]])
     triangles = np.concatenate([triangles_of(outer), triangles_of(inner)[:, ::-1] + outer.GetNumberOfPoints()])
@@ -174,7 +176,7 @@ def enclosed_volume(surface: vtkPolyData) -> float:
 
 
 TETRAHEDRON_FACES = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
-"""Of vtkTetra, outward for a positive one."""
+"""Faces of vtkTetra, outward for a positive one"""
 
 
 def faces_of(grid: vtkUnstructuredGrid) -> tuple[np.ndarray, np.ndarray]:

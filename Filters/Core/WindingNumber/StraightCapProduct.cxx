@@ -18,10 +18,10 @@ constexpr double LeastSquaredModulus = 0x1p-12;
 constexpr double SideError = 0x1p-48;
 constexpr double MostImaginaryError = 0x1p-42;
 
-// A bound for the difference of unit vectors. If a site is at least this far from all corners, its
-// unit vectors to them and those of any place within the reach of a cap (2^-46) differ by at most
-// 2^-10. At a place on the triangle z is a negative real number or 0. So next to it z has a
-// negative real part, or a modulus less than the least one.
+// A bound for the difference of unit vectors. A site at least this far from all corners, and any
+// place within the reach of a cap (2^-46), have unit vectors that differ by at most 2^-10. At a
+// place on the triangle z is a negative real number or 0. So next to it z has a negative real part,
+// or a modulus less than the least one.
 constexpr double LeastSquaredDistance = 0x1p-72;
 
 // Products are normalized after this many triangles. Factors are from 2^-6 (2^-36)^3 to 2^8, and

@@ -23,7 +23,7 @@ KINDS = (
 )
 
 DIGITS = 4
-"""coordinates"""
+"""Digits of coordinates."""
 
 
 class Place(NamedTuple):

@@ -35,7 +35,7 @@ TriangleSoup BrokenSurface()
   return Join(Join(Box({ 0, 0, 0 }, { 1, 1, 1 }), open), RandomSoup(5, 6));
 }
 
-/** Of the answers to work, one that had all memory. */
+/** The answer of some work that had enough memory. */
 template <class Work>
 auto AnswerOf(const Work& work, std::size_t& allocations)
 {
@@ -82,7 +82,7 @@ std::size_t FailAtAllocations(const Work& work)
   return thrown;
 }
 
-/** While it lives, so many threads do every loop. */
+/** Sets the number of threads of all loops during its lifetime. */
 struct Threads
 {
   const testthreads::Allowed Allowed;

@@ -529,7 +529,7 @@ vtkSmartPointer<vtkPolyData> CrossingBoxes(int number)
   return all;
 }
 
-/** Of which one fails when it is read, and one when it is counted. */
+/** Blocks, one of which fails when it is read, and one when it is counted. */
 vtkSmartPointer<vtkMultiBlockDataSet> ManyBlocks()
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();

@@ -278,8 +278,7 @@ TEST(OptionsOfRefinement, AreThoseOfTheStage)
   EXPECT_EQ(SET(filter, Grading, 0), 1e-6);
 }
 
-/** What a facade says of an option is what its stage says, and each hears what the other is told.
- */
+/** An option of a facade is that of its stage: setting either sets both. */
 #define EXPECT_FORWARDED(filter, stage, Option, one, other) \
   {                                                         \
     (filter)->Set##Option(one);                             \

@@ -573,7 +573,7 @@ TEST(vtkRobustTriangulate, CanBeStoppedInEveryStage)
     EXPECT_TRUE(run.Errors.empty());
     if (stopper.Reports < stopAt)
     {
-      EXPECT_GT(stopAt, 7); // there are so many stages
+      EXPECT_GT(stopAt, 7); // the number of stages
       return;
     }
     const vtkIdType cells = run.Filter->GetOutput()->GetNumberOfCells();

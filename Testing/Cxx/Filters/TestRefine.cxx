@@ -556,7 +556,7 @@ TEST(vtkRefineTetrahedra, MakesEdgesAsLongAsABackgroundSaysAndOutsideItAsBefore)
 {
   auto grid = Cubes(4);
   grid->GetCellData()->RemoveArray("RegionId");
-  // An image that ends amid the cubes.
+  // An image that ends in the interior of the cubes.
   vtkNew<vtkImageData> background;
   background->SetOrigin(2, -1, -1);
   background->SetSpacing(1, 2, 2);

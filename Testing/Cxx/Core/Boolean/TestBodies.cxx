@@ -101,7 +101,7 @@ void ExpectNear(const std::vector<double>& found, const std::vector<double>& exp
   }
 }
 
-/** Of a body by itself, by the whole of the stages. */
+/** The volume of a single body, by all stages. */
 double VolumeAlone(const TriangleSoup& soup)
 {
   Monitor silent;

@@ -114,7 +114,7 @@ Filled Fill(const std::vector<TriangleSoup>& soups, double tolerance, std::vecto
   return filled;
 }
 
-/** Of the faces between two bodies. */
+/** The area of the faces between two bodies. */
 double InterfaceOf(const Filled& filled, int first, int second)
 {
   Monitor monitor;

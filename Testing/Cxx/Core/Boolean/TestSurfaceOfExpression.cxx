@@ -200,7 +200,7 @@ TEST(SurfaceOfExpression, OfABodyWithItselfIsExact)
 
 TEST(SurfaceOfExpression, KnowsTheInputTriangleOfEachOfItsOwn)
 {
-  // What is cut out of A by B is bounded by B, turned over.
+  // The part that B cuts out of A is bounded by B, turned over.
   const std::vector<TriangleSoup> soups = { Box({ 0, 0, 0 }, { 4, 4, 4 }),
     Box({ 1, 1, 1 }, { 2, 2, 2 }) };
   const Made made = Make(soups, "A - B");

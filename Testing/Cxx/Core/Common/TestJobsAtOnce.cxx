@@ -18,7 +18,7 @@ using namespace insideout;
 constexpr const char* Stage = "working";
 const std::vector<int> NumbersOfThreads = { 1, 2, 8 };
 
-/** Allows so many reports, which come from one thread, of one stage, and ascend. */
+/** Allows this number of reports, which come from one thread, of one stage, and ascend. */
 class Counting : public Monitor
 {
 public:

@@ -13,7 +13,7 @@ using namespace insideout;
 
 namespace
 {
-/** Of any width from a point's to that of all space, and sometimes beyond it. */
+/** A box of any width, from a point's to that of all space, and sometimes beyond it. */
 Box RandomBox(std::mt19937& random)
 {
   std::uniform_real_distribution<double> anywhere(-1.2, 1.2);

@@ -65,7 +65,7 @@ TEST(ScaledPoints, AreBelowOneAndLosslessAtTheLargestExponent)
   std::mt19937_64 random(2);
   for (int trial = 0; trial < 500; ++trial)
   {
-    // Of sizes that differ by 2^900 at most nothing underflows.
+    // Sizes that differ by at most 2^900 do not underflow.
     const int size = static_cast<int>(random() % 1000) - 500;
     std::vector<Point> points(10);
     for (Point& p : points)

@@ -16,7 +16,7 @@ using testthreads::Allowed;
 
 namespace
 {
-/** Where threads wait until so many have met. */
+/** A barrier: threads wait until this number has arrived. */
 class MeetingPlace
 {
 public:

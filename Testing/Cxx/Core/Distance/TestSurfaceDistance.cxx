@@ -175,8 +175,8 @@ TEST(SurfaceDistance, IsTheSameForOnePlaceAndForMany)
   }
 }
 
-/** So many that several are looked for at a time: in rows, scattered, on facets, afar and nowhere.
- */
+/** Enough places for searches of several at a time: in rows, scattered, on facets, far away and not
+ * finite. */
 TEST(SurfaceDistance, IsTheSameForOnePlaceAndForVeryMany)
 {
   Monitor monitor;

@@ -108,7 +108,7 @@ std::vector<Triangles> Triangulations(int i, int j)
   return all;
 }
 
-/** What is in the target's way of the edges and faces that finite cells have. */
+/** The edges and faces of finite cells that obstruct the target. */
 int CostOf(const std::set<Tetrahedron>& cells, const FlipTarget& target)
 {
   std::set<std::array<Id, 2>> edges;

@@ -270,7 +270,7 @@ TEST(ExactTetrahedralization, GivesTheSameInThreadsSideBySide)
 
 namespace
 {
-/** Notes the phases that are reported, and stops after so many reports. */
+/** Records the reported phases, and stops after this number of reports. */
 struct PhaseMonitor : Monitor
 {
   explicit PhaseMonitor(int allowed = std::numeric_limits<int>::max())

@@ -109,7 +109,7 @@ TEST(FlipTarget, ASegmentIsBarredByFacesThatItPassesThroughAndByEdgesThatItCross
         << seed << ": " << a << ' ' << b << ' ' << x << ' ' << y;
       faces += pierces ? 1 : 0;
       edges += crosses ? 1 : 0;
-      // What it begins or ends at is not in its way.
+      // Cells at its ends do not obstruct it.
       EXPECT_EQ(target.CostOfFace(a, y, z), 0);
       EXPECT_EQ(target.CostOfFace(x, b, z), 0);
       EXPECT_EQ(target.CostOfEdge(a, y), 0);

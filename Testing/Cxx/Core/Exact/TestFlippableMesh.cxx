@@ -109,7 +109,8 @@ TEST(FlippableMesh, FindsManyFacesAsItFindsEachAlone)
     }
     found += isFace ? 1 : 0;
   }
-  // Of each cell four faces, half of which are another's, twice each; and not the infinite ones.
+  // Each cell has four faces, each shared by two cells, so each occurs twice; infinite ones are
+  // left out.
   int faces = 0;
   for (Id cell = 0; cell < NumberOfCells(mesh); ++cell)
   {
@@ -465,7 +466,7 @@ TEST(FlippableMesh, GoesBackToWhatItWasWhenTheJournalBegan)
       EXPECT_EQ(mesh.Mesh.LastChangeAround(vertex), copy.Mesh.LastChangeAround(vertex));
       EXPECT_EQ(mesh.Mesh.Vertices().IsDouble(vertex), copy.Mesh.Vertices().IsDouble(vertex));
     }
-    // What comes after that is the same, too: ids that are free are given in the same order.
+    // Later changes are the same, too: free ids are reused in the same order.
     MeshWithFacets other = copy;
     mesh.Segments = copy.Segments;
     for (MeshWithFacets* one : { &mesh, &other })

@@ -114,8 +114,8 @@ void ExpectRounded(
 }
 
 /**
- * A facet with a point within, its last vertex, between two tents of facets on its edges. Of all
- * doubles that are tried for the point the tents' tips are the nearest to the facet, one on either
+ * A facet with a point within, its last vertex, between two tents of facets on its edges. The
+ * tents' tips are the nearest doubles to the facet that are tried for the point, one on either
  * side, so none is between the tents.
  */
 MeshWithFacets PointBetweenTents()
@@ -184,7 +184,7 @@ TEST(RoundPoints, GivesExactPointsPlacesInDoublesBesideWhatTheyLieOn)
     EXPECT_GT(count, 2u);
     Monitor monitor;
     const std::vector<Id> left = PointRounder(mesh.Mesh, mesh.Segments, monitor).Round();
-    // Of several on one face of the hull, one may be in the way of another.
+    // If there are several on one face of the hull, one may obstruct another.
     for (const Id point : left)
     {
       EXPECT_TRUE(IsOnHull(mesh.Mesh, point)) << "seed " << seed;

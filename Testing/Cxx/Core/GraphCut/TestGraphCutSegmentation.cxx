@@ -80,7 +80,7 @@ bool MeetsDemands(const Problem& problem, const std::vector<unsigned char>& insi
   return true;
 }
 
-/** Of all labellings that meet the demands: the least energy, and the fewest inside cells with it.
+/** The least energy of all labellings that meet the demands, and the fewest inside cells with it.
  */
 std::pair<double, long> BruteForce(const Problem& problem)
 {

@@ -133,7 +133,7 @@ TEST(SplitSeams, GivesEachTriangleTheDataOfItsOwnInputTriangle)
   CheckValues(soup, 1, alike);
 }
 
-/** Of a torn surface with two triangles a side: points of a side that stand together are alike. */
+/** A torn surface with two triangles a side: points of one side at one place are alike. */
 std::vector<Id> AlikeBySides(const TriangleSoup& soup)
 {
   std::vector<Id> alike(soup.Points.size());

@@ -23,7 +23,7 @@ SolidTopology Find(const TetrahedralMesh& mesh, const std::vector<unsigned char>
     mesh, inside, BoundaryFaces(mesh, inside, silent, progress), silent, progress);
 }
 
-/** Of the cells inside alone, from their boundary. */
+/** The same from the boundary of the inside cells only. */
 void ExpectTheSameWithoutTheHull(
   const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside, const SolidTopology& found)
 {

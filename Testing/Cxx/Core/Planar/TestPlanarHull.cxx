@@ -261,7 +261,7 @@ TEST(PlanarHull, IsTheSameInAnyPlane)
   EXPECT_NE(wanted.Mesh.NumberOfCells(), 0);
 }
 
-/** Of an open curve, whose w depends on angles: the sum of angles in space, about the normal. */
+/** For an open curve, whose w depends on angles: the sum of angles in space, about the normal. */
 TEST(PlanarHull, MeasuresAnglesInATiltedPlane)
 {
   SegmentSoup soup = RandomWalk(8, 9, 12, false);

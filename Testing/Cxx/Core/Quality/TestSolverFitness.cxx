@@ -28,7 +28,7 @@ std::vector<Point> CellOfHeight(double height)
 }
 const std::vector<Tetrahedron> OneCell = { { { 0, 1, 2, 3 } } };
 
-/** The cell with points amid its edges. */
+/** The cell with mid-edge nodes. */
 std::vector<Point> WithMidpoints(std::vector<Point> points)
 {
   for (const auto& [i, j] : TetrahedronEdges)

@@ -15,7 +15,9 @@ using namespace insideout;
 
 namespace
 {
-/** Amid the others of a few whole numbers, so that they touch in all ways. */
+/**
+ * A triangle among others with few whole numbers as coordinates, so that they touch in all ways.
+ */
 std::vector<Point> RandomPoints(std::mt19937& random, std::size_t count)
 {
   std::vector<Point> points(count);

@@ -32,7 +32,7 @@ RefinedMesh Refined(const TetrahedralMesh& mesh, const std::vector<Id>& regions 
   return RefineTetrahedra(mesh, regions, all, monitor);
 }
 
-/** A cube of edge 1 of so many cubes along each axis, each of six tetrahedra. */
+/** A cube of edge 1, divided into this number of cubes along each axis, of six tetrahedra each. */
 TetrahedralMesh Cube(int size)
 {
   TetrahedralMesh grid = testtetrahedra::EvenGrid(size);

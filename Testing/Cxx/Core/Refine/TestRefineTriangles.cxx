@@ -105,7 +105,7 @@ double LeastAngle(const std::vector<PlanarPoint>& points, const Triangle& cell)
 /** Constraints by their directed edges: the segment, None for none, and what it counts. */
 using Constraints = std::map<Segment, std::pair<Id, int>>;
 
-/** Of the input, as far as it is inside. */
+/** Edges of the input, as far as they are inside. */
 Constraints ConstraintsOf(const PlanarHull& hull, const std::vector<unsigned char>& inside)
 {
   Constraints constraints;
@@ -125,7 +125,7 @@ Constraints ConstraintsOf(const PlanarHull& hull, const std::vector<unsigned cha
   return constraints;
 }
 
-/** Of the result: what is on the boundary, or a segment; each side by itself. */
+/** Edges of the result on the boundary or a segment, each side separately. */
 Constraints ConstraintsOf(const RefinedTriangles& refined)
 {
   Constraints constraints;
@@ -302,7 +302,7 @@ std::string Broken(const Refinement& all, bool isKept)
   return "";
 }
 
-/** A polygon with so many corners, each 90 degrees or more, within the unit square. */
+/** A polygon with this number of corners, each 90 degrees or more, within the unit square. */
 SegmentSoup Ring(int corners)
 {
   std::vector<PlanarPoint> points;

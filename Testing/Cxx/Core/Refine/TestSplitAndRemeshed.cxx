@@ -319,7 +319,8 @@ TEST(RemeshedSurface, HasLongEdgesOnRidgesBetweenWideAndNarrowSides)
 
 TEST(RemeshedSurface, KeepsTheSmallestLabels)
 {
-  // A square amid a side of a cube, smaller than the tolerance, whose corners are smooth enough.
+  // A square in the interior of a cube's side, smaller than the tolerance, whose corners are smooth
+  // enough.
   const TetrahedralMesh cube = EvenGrid(6);
   RefinementParameters parameters = Remeshed(1000, 1000);
   parameters.FeatureAngle = 100;

@@ -21,8 +21,8 @@ namespace
 {
 using Pairs = std::vector<std::array<Id, 2>>;
 
-/** A sphere, of so many triangles, with bumps as high as `bumps`, and each point moved by up to
- * `noise`. */
+/** A sphere with this number of triangles, with bumps as high as `bumps`, and each point moved by
+ * up to `noise`. */
 TriangleSoup Sphere(int triangles, double bumps, double noise)
 {
   std::mt19937 random(7);

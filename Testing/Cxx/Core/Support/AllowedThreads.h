@@ -5,7 +5,7 @@
 
 namespace testthreads
 {
-/** While it lives, loops may take so many threads. */
+/** Sets the number of threads of loops during its lifetime. */
 class Allowed
 {
 public:

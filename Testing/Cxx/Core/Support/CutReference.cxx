@@ -28,7 +28,7 @@ using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS,
     boost::property<boost::edge_residual_capacity_t, Capacity,
       boost::property<boost::edge_reverse_t, Edge>>>>;
 
-/** What the data term of each cell is multiplied by. */
+/** The factor of each cell's data term. */
 std::vector<double> Weights(const CellGraph& graph, const GraphCutParameters& parameters)
 {
   if (parameters.DataTerm == DataTerm::Uniform)

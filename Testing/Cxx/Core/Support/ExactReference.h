@@ -3,7 +3,7 @@
 
 #include "Common/FacetComplex.h"
 
-/** What the algorithms are compared with: slow, exact and straight from the definition. */
+/** References for the algorithms: slow, exact and straight from the definition. */
 namespace testmeshes
 {
 using namespace insideout;

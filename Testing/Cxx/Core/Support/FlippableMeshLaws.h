@@ -57,7 +57,7 @@ Rational SixfoldVolume(const MeshRecord& mesh);
 std::map<Id, std::set<Triangle>> FacesOfFacets(const MeshRecord& mesh);
 
 /**
- * What is wrong with a mesh, each line beginning with the law that is broken:
+ * The broken laws of a mesh, each line beginning with the law:
  * - corners: a live cell has four different vertices;
  * - neighbors: they are live, mutual, and have the three corners of the shared face;
  * - faces: each has two cells;
@@ -87,7 +87,7 @@ enum class FacetsKept
   AsAreas  ///< faces that cover the same part of the plane, exactly
 };
 
-/** What is wrong with the facets and the volume of a mesh that was `before` as it was. */
+/** Errors in the facets and the volume of a mesh that was `before` earlier. */
 std::vector<std::string> ChangeViolations(
   const MeshRecord& before, const MeshRecord& after, FacetsKept kept);
 

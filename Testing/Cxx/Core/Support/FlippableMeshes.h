@@ -68,7 +68,7 @@ struct MeshWithFacets
   SegmentTable Segments;
 };
 
-/** The Delaunay mesh of any points with one in so many faces a facet. */
+/** The Delaunay mesh of any points, with every n-th face a facet. */
 MeshWithFacets RandomMeshWithFacets(
   unsigned seed, int points, unsigned facesPerFacet, WorkBudget& work = AnyWork());
 

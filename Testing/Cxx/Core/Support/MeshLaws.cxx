@@ -242,7 +242,7 @@ std::vector<Triangle> PiecesOf(const TetrahedralMesh& mesh, const std::vector<Pl
   return pieces;
 }
 
-/** What is left of the pieces' edges when those that two have in opposite directions go. */
+/** The pieces' edges, without those that two have in opposite directions. */
 std::map<Id, Id> BoundaryOf(const std::vector<Triangle>& pieces)
 {
   std::set<Edge> edges;
@@ -305,8 +305,8 @@ bool IsNearPlane(const TetrahedralMesh& mesh, const Triangle& facet, Id p, doubl
 
 /**
  * The pieces are one disk, by counting: their boundary is one closed line that passes the facet's
- * corners in order, and between them input points, which are on the facet exactly, or Steiner
- * points, which are beside it by rounding errors.
+ * corners in order. Between them are input points, which are exactly on the facet, or Steiner
+ * points, which are off it by rounding errors.
  */
 void ExpectUnion(const FacetComplex& surface, const TetrahedralMesh& mesh, Id facet,
   const std::vector<PlacedFace>& faces)

@@ -6,9 +6,10 @@
 namespace testmeshes
 {
 /**
- * Expect everything that TetrahedralMesh.h promises: the complex's points bit by bit, exact
- * positive volumes that sum exactly to the convex hull's, neighbors that agree, a closed hull,
- * facets on faces of the right side, and each constraint that is not lost a union of faces.
+ * Expect all properties that TetrahedralMesh.h promises. The complex's points are equal bit for
+ * bit; exact positive volumes sum exactly to the convex hull's; neighbors agree; the hull is
+ * closed. Facets lie on faces of the right side, and each constraint that is not lost is a union of
+ * faces.
  */
 void ExpectMeshLaws(const insideout::FacetComplex& surface, const insideout::TetrahedralMesh& mesh);
 } // namespace testmeshes

@@ -272,7 +272,7 @@ std::string BrokenByTriangles(const PlanarHull& hull)
       return "a constraint is no edge";
     }
   }
-  // What has no triangle beyond is the hull: convex, and as large as all triangles.
+  // The edges without a triangle beyond are the hull: convex, with the area of all triangles.
   Rational ofHull = 0;
   for (const auto& [edge, apex] : opposite)
   {

@@ -15,7 +15,7 @@ using namespace insideout;
 SegmentSoup Lines(
   const std::vector<PlanarPoint>& points, const std::vector<std::vector<Id>>& lines);
 
-/** So many segments between random places of the unit square. */
+/** Segments between random places of the unit square. */
 SegmentSoup RandomSegments(unsigned seed, int count);
 
 /** A closed walk over random points of a grid, so that everything degenerate happens. */
@@ -27,17 +27,17 @@ PlanarHull MeshHullOf(const SegmentSoup& soup, Orientation orientation = Orienta
  * are seen from a place of the plane z = 0, over 2 pi; in quadruple precision. */
 double WindingNumberInQuads(const SegmentSoup& soup, const std::array<__float128, 2>& place);
 
-/** What breaks a law of stage pre, empty for nothing: input points keep their bits, constraints
- * meet in shared points only, pieces of an input segment lead from its one end to its other one
- * near it, and count as their segments do. */
+/** The broken laws of stage pre, empty for none. Input points keep their bits, and constraints meet
+ * in shared points only. Pieces of an input segment lead from one end to the other, near it, and
+ * have their segments' counts. */
 std::string BrokenByResolving(const SegmentSoup& soup, const PlanarHull& hull);
 
-/** Of stage CDT: triangles positive, edge to edge, covering the convex hull, with every constraint
- * and locally Delaunay beside. */
+/** The broken laws of stage CDT: triangles positive, edge to edge, covering the convex hull, with
+ * every constraint and locally Delaunay elsewhere. */
 std::string BrokenByTriangles(const PlanarHull& hull);
 
-/** Of stage w: the jump at each edge where the curve is closed, and the sum of angles at each
- * barycenter. */
+/** The broken laws of stage w: the jump at each edge if the curve is closed, and the sum of angles
+ * at each barycenter. */
 std::string BrokenByWindingNumbers(const SegmentSoup& soup, const PlanarHull& hull);
 
 /** All of these. */

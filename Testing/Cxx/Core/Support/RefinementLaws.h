@@ -33,8 +33,8 @@ void ExpectRemeshingLaws(const insideout::TetrahedralMesh& mesh,
   const std::vector<insideout::Id>& regions, const insideout::RefinedMesh& refined,
   double tolerance);
 
-/** Of edges that are on no face of the boundary, the share that is as long as wanted amid them, up
- * to a factor of 1.4. */
+/** The fraction of edges on no face of the boundary that have the length wanted at their midpoint,
+ * up to a factor of 1.4. */
 double ShareOfGoodEdges(const insideout::RefinedMesh& refined,
   const std::function<double(const insideout::Point&)>& wanted);
 

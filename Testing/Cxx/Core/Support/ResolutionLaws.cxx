@@ -287,7 +287,7 @@ void Judge::CheckFacets()
   }
 }
 
-/** What was no constraint before comes last, as it was. */
+/** Facets that were not constraints before come last, unchanged. */
 void Judge::CheckLastFacets()
 {
   const Id count = this->Before.NumberOfFacets() - this->Before.NumberOfConstraints;
@@ -323,7 +323,10 @@ void Judge::CheckCrossings()
   }
 }
 
-/** Of a constraint's corner that lies within another one, crossings tell; the others are asked. */
+/**
+ * Crossings detect a constraint's corner that lies within another one; the other cases are tested
+ * here.
+ */
 void Judge::CheckLoosePoints()
 {
   const FacetComplex& s = this->After;

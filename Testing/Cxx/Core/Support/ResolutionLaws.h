@@ -15,7 +15,7 @@ namespace testmeshes
 {
 using namespace insideout;
 
-/** What a resolved surface measures against the one it was made of. */
+/** Measures of a resolved surface against its original. */
 struct ResolutionJudgement
 {
   Id Crossings = 0;   ///< pairs of constraints that meet in more than shared points and edges

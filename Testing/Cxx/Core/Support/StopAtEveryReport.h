@@ -10,7 +10,7 @@
 
 namespace testmeshes
 {
-/** Allows so many reports of progress, which has to ascend within the range. */
+/** Allows this number of reports of progress, which have to ascend within the range. */
 class CountingMonitor : public insideout::Monitor
 {
 public:

@@ -53,7 +53,7 @@ std::vector<int> RandomLabels(const TetrahedralMesh& mesh, unsigned seed);
 /** Random inside (1) or outside (0), one per cell; by the seed a quarter to all are inside. */
 std::vector<unsigned char> RandomInside(const TetrahedralMesh& mesh, unsigned seed);
 
-/** Of an EvenGrid the cubes that `isInside` is true for, by the middles of their cells. */
+/** The cubes of an EvenGrid with `isInside` true at the centers of their cells. */
 template <typename Predicate>
 std::vector<unsigned char> Cubes(const TetrahedralMesh& mesh, const Predicate& isInside)
 {

@@ -50,7 +50,7 @@ Quad ToQuad(const Long& x)
 class AngleSum
 {
 public:
-  /** Add the argument of div + i det, from -pi to pi, so many times, not both 0. */
+  /** Add `times` times the argument of div + i det, from -pi to pi; not both are 0. */
   void Add(const Arguments<Quad>& of, int times)
   {
     const double scale = std::scalbn(1.0,

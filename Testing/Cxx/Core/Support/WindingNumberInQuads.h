@@ -7,10 +7,9 @@
 namespace testmeshes
 {
 /**
- * The winding number of a complex at a site by brute force, to compare with: the sum of all solid
- * angles in quadruple precision. A facet that the site is so close to that quadruple precision
- * lacks digits is looked at with enough of them to be exact, so that one in whose plane the site
- * lies counts 0.
+ * The winding number of a complex at a site by brute force, as a reference: the sum of all solid
+ * angles in quadruple precision. If the site is too close to a facet for quadruple precision,
+ * enough digits are used to be exact. So a facet in whose plane the site lies counts 0.
  *
  * @param[in] site a barycenter, or a point by SiteAt
  * @return NaN if coordinates differ so much in size that even those digits were too few

@@ -622,7 +622,7 @@ TEST(TriangulatePolygon, KeepsIdsWithinThePolygonAndAddsToWhatIsThere)
 
 TEST(TriangulatePolygon, GivesUpCrossingsThatTakeTooManyTrianglesForAFan)
 {
-  // Two combs across each other, with so many crossings that going around them all is no use.
+  // Two combs across each other, with too many crossings for detours.
   Polygon polygon;
   for (int k = 0; k < 60; ++k)
   {

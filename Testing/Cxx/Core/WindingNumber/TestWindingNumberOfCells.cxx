@@ -545,7 +545,7 @@ TEST(WindingNumberSum, TakesAnythingEmpty)
   EXPECT_EQ(Sum(FacetComplex(), CellAround({ 1, 2, 3 }, 1)), std::vector<double>{ 0 });
 }
 
-/** Stops when told so often to continue; keeps what it saw. */
+/** Stops after a number of reports; records what it saw. */
 class CountingMonitor : public Monitor
 {
 public:
