@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Turn the first page and others into a page of ParaView's help.
 
-    make-manual.py README.md... PAGE.html
+    make-manual.py README.md|TABLE.csv... PAGE.html
 
 Knows what they use of Markdown: headings, paragraphs, code blocks, tables, lists, images, links,
 bold and italic words, and code among words. Pictures and links within the tree become their words.
 """
 
+import csv
 import re
 import sys
 from html import escape
@@ -61,8 +62,18 @@ def block(text: str) -> str:
     return f"<p>{inline(text)}</p>"
 
 
+def text_of(source: Path) -> str:
+    """A page, or data as the table of one."""
+    if source.suffix != ".csv":
+        return source.read_text(encoding="utf-8").strip()
+    with source.open(encoding="utf-8", newline="") as file:
+        head, *rows = ([cell.replace(" | ", " ... or ") for cell in row] for row in csv.reader(file))
+    lines = [head, ["---"] * len(head), *rows]
+    return f"## {source.name}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
 def main(*sources: str, target: str) -> None:
-    text = "\n\n".join(Path(source).read_text(encoding="utf-8").strip() for source in sources)
+    text = "\n\n".join(text_of(Path(source)) for source in sources)
     blocks = re.findall(r"```.*?\n```|[^\n].*?(?=\n\n|\n```|\Z)", text, re.DOTALL)
     title = re.match(r"# (.*)", text)
     body = "\n".join(block(one.strip("\n")) for one in blocks)

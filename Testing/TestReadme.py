@@ -11,6 +11,7 @@ output: `...` alone in a line stands for any lines, and MASKS say which figures 
 run; REASONS are few.
 """
 
+import csv
 import difflib
 import re
 import shutil
@@ -25,6 +26,7 @@ BUILD = Path(sys.argv[1]).resolve()
 ROOT = Path(__file__).resolve().parent.parent
 
 DECISIONS = "Filters/Decisions.md"
+MESSAGES = "Filters/messages.csv"
 PAGES = (
     *("README.md", "Filters/Python/README.md", "Plugin/README.md", DECISIONS, "Filters/README.md", "Examples/README.md"),
     "Filters/CMake/README.md",
@@ -207,8 +209,10 @@ class TestPages(unittest.TestCase):
         )
 
     def test_the_messages_explained_are_in_the_code(self):
-        section = (ROOT / DECISIONS).read_text(encoding="utf-8").split("\n## When something goes wrong\n")[1].split("\n## ")[0]
-        messages = [words for row in re.findall(r"^\| (`.*?) \| ", section, re.MULTILINE) for words in re.findall(r"`([^`]+)`", row)]
+        with open(ROOT / MESSAGES, encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertTrue(all(row["why"] for row in rows))
+        messages = [words for row in rows for words in row["words of the message"].split(" | ")]
         sources = [file.read_text(encoding="utf-8") for file in (ROOT / "Filters").rglob("*") if file.suffix in (".cxx", ".py")]
         code = re.sub(r'"\s*\n\s*"', "", "\n".join(sources))  # strings that go on in the next line
         self.assertGreater(len(messages), 30)
