@@ -23,6 +23,7 @@ draw 8.19 "deformation" "$here/../Applications/deformation.py" "$folder/deformat
 draw 8.20 "skinning weights" "$here/../Applications/skinning.py" "$folder/skinning.png"
 draw 8.21 "ski mask" "$here/../Python/ski_mask.py" "$folder/ski-mask.png"
 draw soups "triangles turned over and torn apart" "$here/soups.py" "$folder/soups.png"
+draw tasks "the first page's tasks" "$here/tasks.py" "$folder"
 draw "8.22 to 8.25" "contact sheets" "$here/contact_sheets.py" "$folder"
 echo "written to $folder:"
 ls "$folder"/*.png "$folder"/*.csv

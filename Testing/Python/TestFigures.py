@@ -28,6 +28,16 @@ class TestFigures(unittest.TestCase):
             self.assertGreater((self.folder / picture).stat().st_size, 10000, picture)
         return done.stdout
 
+    def test_each_task_has_a_small_picture(self):
+        said = self.run_figure("tasks.py", ".")
+        counts = {name: int(count) for name, count in re.findall(r"(\w+): (\d+) triangles", said)}
+        self.assertLess(counts["remeshed"], counts["kept"])
+        self.assertLess(counts["kept"], counts["split"])
+        stored = sorted(FIGURES.glob("task-*.png"))
+        self.assertEqual([picture.name for picture in sorted(self.folder.glob("*.png"))], [picture.name for picture in stored])
+        for picture in stored:
+            self.assertIn(picture.stat().st_size, range(5000, 40000), picture.name)
+
     def test_the_sheets_of_a_stirrer_are_outliers(self):
         said = self.run_figure("outliers.py", "outliers.png")
         found = re.search(r"stirrer.stl: (\d+) of (\d+) facets are outliers, (\d+) segmented as outside", said)
