@@ -58,21 +58,21 @@ std::vector<Id> RegionsOf(const vtkInsideOut::GridTetrahedra& tetrahedra, vtkUns
     return {};
   }
   std::vector<double> values;
-  for (const vtkIdType cell : tetrahedra.CellIds)
+  for (std::size_t c = 0; c < tetrahedra.Cells.size(); ++c)
   {
-    values.push_back(array->GetComponent(cell, 0));
+    values.push_back(array->GetComponent(tetrahedra.CellIds[c], 0));
   }
   return vtkInsideOut::NumberedAnew(values);
 }
 
-/** An array with a value for each tetrahedron, and 0 for other cells. */
+/** An array with a value for each of the first cells that were read, and 0 for others. */
 template <typename Array, typename ValueOf>
-void AddArray(const char* name, const vtkInsideOut::GridTetrahedra& tetrahedra,
+void AddArray(const char* name, const vtkInsideOut::GridTetrahedra& tetrahedra, std::size_t cells,
   vtkUnstructuredGrid* grid, const ValueOf& valueOf)
 {
   const auto array = vtkInsideOut::MakeArray<Array>(name, grid->GetNumberOfCells());
   array->Fill(0);
-  for (std::size_t c = 0; c < tetrahedra.Cells.size(); ++c)
+  for (std::size_t c = 0; c < cells; ++c)
   {
     array->SetValue(tetrahedra.CellIds[c], valueOf(c));
   }
@@ -82,16 +82,17 @@ void AddArray(const char* name, const vtkInsideOut::GridTetrahedra& tetrahedra,
 void MarkCells(const vtkInsideOut::GridTetrahedra& cells, const SolidDefects& defects,
   const std::vector<CellQuality>& qualities, vtkUnstructuredGrid* grid)
 {
-  AddArray<vtkDoubleArray>("MinDihedralAngle", cells, grid,
+  const std::size_t tetrahedra = cells.Cells.size();
+  AddArray<vtkDoubleArray>("MinDihedralAngle", cells, tetrahedra, grid,
     [&](std::size_t c) { return qualities[c].MinDihedralAngle(); });
-  AddArray<vtkDoubleArray>("MaxDihedralAngle", cells, grid,
+  AddArray<vtkDoubleArray>("MaxDihedralAngle", cells, tetrahedra, grid,
     [&](std::size_t c) { return qualities[c].MaxDihedralAngle(); });
+  AddArray<vtkDoubleArray>("RadiusEdgeRatio", cells, tetrahedra, grid,
+    [&](std::size_t c) { return qualities[c].RadiusEdgeRatio; });
   AddArray<vtkDoubleArray>(
-    "RadiusEdgeRatio", cells, grid, [&](std::size_t c) { return qualities[c].RadiusEdgeRatio; });
-  AddArray<vtkDoubleArray>(
-    "MeanRatio", cells, grid, [&](std::size_t c) { return qualities[c].MeanRatio; });
-  AddArray<vtkSignedCharArray>(
-    "Orientation", cells, grid, [&](std::size_t c) { return defects.Orientations[c]; });
+    "MeanRatio", cells, tetrahedra, grid, [&](std::size_t c) { return qualities[c].MeanRatio; });
+  AddArray<vtkSignedCharArray>("Orientation", cells, cells.CellIds.size(), grid,
+    [&](std::size_t c) { return defects.Orientations[c]; });
 }
 } // namespace
 
@@ -105,19 +106,19 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
       const auto input = vtkInsideOut::InputGrid(this);
       vtkInsideOut::AlgorithmMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Measuring });
-      const vtkInsideOut::GridTetrahedra given = vtkInsideOut::ReadTetrahedraOfAnyOrder(input);
-      if (given.Cells.empty())
+      const vtkInsideOut::GridTetrahedra given = vtkInsideOut::ReadTetrahedraAndLayers(input);
+      if (given.CellIds.empty())
       {
         throw Error(ErrorCode::EmptySurface, "the grid has no tetrahedra");
       }
       std::vector<std::string> warnings;
       const vtkIdType others =
-        input->GetNumberOfCells() - static_cast<vtkIdType>(given.Cells.size());
+        input->GetNumberOfCells() - static_cast<vtkIdType>(given.CellIds.size());
       if (others > 0)
       {
         warnings.push_back(std::to_string(others) + " cells are ignored: they are no tetrahedra");
       }
-      const SolidDefects defects = FindSolidDefects(given.Points, given.Cells, monitor);
+      const SolidDefects defects = FindSolidDefects(given.Points, given.Cells, given, monitor);
       const std::vector<CellQuality> qualities =
         QualityOfCells(given.Points, given.Cells, monitor, { Stages::Measuring, 0, 0.5 });
       const MeshQuality quality = SummarizeQuality(
@@ -134,9 +135,14 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
           std::vector<vtkIdType>(quality.Histogram.begin(), quality.Histogram.end())));
       Statistics statistics;
       AppendSolidDefects(defects, statistics);
+      if (given.HasLayers())
+      {
+        statistics.emplace_back("Pyramids", given.Pyramids.size());
+        statistics.emplace_back("Prisms", given.Prisms.size());
+      }
       AppendQuality(quality, statistics);
       const SolverFitness fitness = FitnessForSolver(given.Points, given.Cells, given.Midpoints,
-        RegionsOf(given, input), monitor, { Stages::Measuring, 1, 1 });
+        given, RegionsOf(given, input), monitor, { Stages::Measuring, 1, 1 });
       AppendFitness(fitness, statistics);
       if (!fitness.IsGood())
       {
@@ -144,8 +150,8 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
       }
       if (defects.Conforms())
       {
-        AppendTopology(
-          FindTopology(given.Points.size(), given.Cells, defects.Boundary, defects.NumberOfRegions),
+        AppendTopology(FindTopology(given.Points.size(), defects.Parts, defects.Boundary,
+                         defects.NumberOfRegions),
           statistics);
       }
       vtkInsideOut::AddStatistics(statistics, marked);

@@ -78,8 +78,9 @@ void vtkSolidWriter::WriteFile()
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Writing });
       auto* boundary = vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
       const SolidMesh solid = vtkInsideOut::ReadSolid(this->GetInput(), boundary);
-      const SolverFitness fitness = FitnessForSolver(PointsInFile(this->FileName, solid.Points),
-        solid.Cells, solid.Midpoints, solid.RegionOfCell, monitor, { Stages::Writing, 0, 0 });
+      const SolverFitness fitness =
+        FitnessForSolver(PointsInFile(this->FileName, solid.Points), solid.Cells, solid.Midpoints,
+          solid, solid.RegionOfCell, monitor, { Stages::Writing, 0, 0 });
       WriteSolid(this->FileName, solid, insideout::MshVersion(this->MshVersion), monitor);
       this->RefusedCells = fitness.RefusedCells;
       this->PoorCells = fitness.PoorCells;

@@ -44,10 +44,11 @@ Id PointOf(vtkIdType cell, vtkIdList* ids, int k, std::size_t points)
 }
 
 /** The corners of a cell, checked. */
-Tetrahedron CornersOf(vtkIdType cell, vtkIdList* ids, std::size_t points)
+template <class Cell>
+Cell CornersOf(vtkIdType cell, vtkIdList* ids, std::size_t points)
 {
-  Tetrahedron corners;
-  for (int k = 0; k < 4; ++k)
+  Cell corners;
+  for (int k = 0; k < static_cast<int>(corners.size()); ++k)
   {
     corners[k] = PointOf(cell, ids, k, points);
     if (std::find(corners.begin(), corners.begin() + k, corners[k]) != corners.begin() + k)
@@ -106,9 +107,13 @@ vtkIdType FindOtherCell(vtkUnstructuredGrid* grid)
   return -1;
 }
 
-GridTetrahedra ReadTetrahedraOfAnyOrder(vtkUnstructuredGrid* grid)
+namespace
+{
+GridTetrahedra ReadCells(vtkUnstructuredGrid* grid, bool takesLayers)
 {
   GridTetrahedra tetrahedra;
+  std::vector<vtkIdType> pyramids;
+  std::vector<vtkIdType> prisms;
   tetrahedra.Points = ReadPoints(grid, "the grid");
   const auto bad = std::find_if(tetrahedra.Points.begin(), tetrahedra.Points.end(),
     [](const Point& point) { return !IsFinite(point); });
@@ -125,19 +130,49 @@ GridTetrahedra ReadTetrahedraOfAnyOrder(vtkUnstructuredGrid* grid)
     if (type == VTK_TETRA || type == VTK_QUADRATIC_TETRA)
     {
       grid->GetCellPoints(c, ids);
-      tetrahedra.Cells.push_back(CornersOf(c, ids, tetrahedra.Points.size()));
+      tetrahedra.Cells.push_back(CornersOf<Tetrahedron>(c, ids, tetrahedra.Points.size()));
       tetrahedra.Midpoints.push_back(MidpointsOf(c, type, ids, tetrahedra.Points.size()));
       tetrahedra.CellIds.push_back(c);
+      continue;
+    }
+    if (takesLayers && type == VTK_PYRAMID)
+    {
+      grid->GetCellPoints(c, ids);
+      tetrahedra.Pyramids.push_back(CornersOf<Pyramid>(c, ids, tetrahedra.Points.size()));
+      pyramids.push_back(c);
+      continue;
+    }
+    if (takesLayers && type == VTK_WEDGE)
+    {
+      grid->GetCellPoints(c, ids);
+      tetrahedra.Prisms.push_back(CornersOf<Prism>(c, ids, tetrahedra.Points.size()));
+      prisms.push_back(c);
       continue;
     }
     other->SetCellType(type);
     if (other->GetCellDimension() == 3)
     {
       throw Error(ErrorCode::InvalidParameter,
-        "cell " + std::to_string(c) + " is a " + CellName(type) + "; volumes must be tetrahedra");
+        "cell " + std::to_string(c) + " is a " + CellName(type) + "; volumes must be tetrahedra" +
+          (takesLayers ? ", or pyramids and prisms of layers" : ""));
     }
   }
+  for (const auto* more : { &pyramids, &prisms })
+  {
+    tetrahedra.CellIds.insert(tetrahedra.CellIds.end(), more->begin(), more->end());
+  }
   return tetrahedra;
+}
+} // namespace
+
+GridTetrahedra ReadTetrahedraOfAnyOrder(vtkUnstructuredGrid* grid)
+{
+  return ReadCells(grid, false);
+}
+
+GridTetrahedra ReadTetrahedraAndLayers(vtkUnstructuredGrid* grid)
+{
+  return ReadCells(grid, true);
 }
 
 std::vector<double> ReadWindingNumbers(vtkUnstructuredGrid* grid)

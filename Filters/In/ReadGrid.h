@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "Common/LayerCells.h"
 #include "Common/TetrahedralMesh.h"
 #include "GraphCut/CellParts.h"
 
@@ -24,8 +25,8 @@ vtkIdType FindOtherCell(vtkUnstructuredGrid* grid);
 /** VTK's name of a cell type, for example vtkHexahedron. */
 std::string CellName(int type);
 
-/** The tetrahedra of a grid. */
-struct GridTetrahedra
+/** The tetrahedra of a grid, and pyramids and prisms of layers. */
+struct GridTetrahedra : insideout::LayerCells
 {
   std::vector<insideout::Point> Points; ///< all of the grid
   std::vector<insideout::Tetrahedron> Cells;
@@ -33,7 +34,7 @@ struct GridTetrahedra
   /** The mid-edge nodes of each cell, None for a cell of first order. */
   std::vector<std::array<insideout::Id, 6>> Midpoints;
 
-  std::vector<vtkIdType> CellIds; ///< of the grid
+  std::vector<vtkIdType> CellIds; ///< of the grid: of tetrahedra, then of pyramids, of prisms
 };
 
 /**
@@ -44,6 +45,9 @@ struct GridTetrahedra
  *         points, or a point that is not finite; TooLarge
  */
 GridTetrahedra ReadTetrahedraOfAnyOrder(vtkUnstructuredGrid* grid);
+
+/** The same with linear pyramids and prisms (vtkPyramid, vtkWedge). */
+GridTetrahedra ReadTetrahedraAndLayers(vtkUnstructuredGrid* grid);
 
 /** @throws insideout::Error without a cell array w of one value per cell */
 std::vector<double> ReadWindingNumbers(vtkUnstructuredGrid* grid);

@@ -193,7 +193,8 @@ Layering MakeLayers(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const std::vector<Tetrahedron> behind(made.Tetrahedra.begin(),
     made.Tetrahedra.begin() + static_cast<std::ptrdiff_t>(made.NumberOfCellsBehind));
   AppendQuality(QualityOfMesh(made.Points, behind, monitor, end), result.Statistics);
-  AppendFitness(FitnessForSolver(made.Points, behind, {}, {}, monitor, end), result.Statistics);
+  AppendFitness(
+    FitnessForSolver(made.Points, made.Tetrahedra, {}, made, {}, monitor, end), result.Statistics);
   if (const std::string words = WordsOfHeights(made.Statistics); !words.empty())
   {
     result.Warnings.push_back(words);

@@ -389,12 +389,12 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   result.Statistics = refined.Statistics;
   const ProgressRange end = { Stages::Refining, 1, 1 };
   AppendQuality(QualityOfMesh(mesh.Points, mesh.Cells, monitor, end), result.Statistics, "Before");
-  AppendFitness(
-    FitnessForSolver(mesh.Points, mesh.Cells, {}, {}, monitor, end), result.Statistics, "Before");
+  AppendFitness(FitnessForSolver(mesh.Points, mesh.Cells, {}, {}, {}, monitor, end),
+    result.Statistics, "Before");
   AppendQuality(QualityOfMesh(refined.Points, refined.Cells, monitor, end), result.Statistics);
   const GridTetrahedra made = ReadTetrahedraOfAnyOrder(result.Grid);
-  AppendFitness(
-    FitnessForSolver(made.Points, made.Cells, made.Midpoints, {}, monitor, end), result.Statistics);
+  AppendFitness(FitnessForSolver(made.Points, made.Cells, made.Midpoints, {}, {}, monitor, end),
+    result.Statistics);
   result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
   WarnAbout(refined, parameters, result.Warnings);
   result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());

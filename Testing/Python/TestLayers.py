@@ -100,6 +100,37 @@ class Layers(CommandLine):
         self.assertIn(13, {read_grid(self.output).GetCellType(c) for c in range(read_grid(self.output).GetNumberOfCells())})
         self.assertNotEqual(run_here("mesh", self.box, self.path("a.stl"), *options).returncode, 0)
 
+    def test_check_judges_them(self):
+        result = self.layered()
+        made = result.statistics
+        checked = insideout.check_solid(result.solid)
+        statistics = checked.statistics
+        self.assertIsInstance(checked.solid, insideout.LayeredCells)
+        for name in ("Prisms", "Pyramids", "RefusedCells", "PoorCells"):
+            self.assertEqual(statistics[name], made[name], name)
+        self.assertEqual(statistics["Cells"], result.solid.GetNumberOfCells())
+        self.assertEqual(statistics["NegativeCells"] + statistics["FlatCells"] + statistics["ContactPairs"], 0)
+        self.assertEqual(statistics["Conforms"], 1)
+        self.assertEqual(statistics["BoundaryComponents"], 1)
+        self.assertEqual(set(checked.solid.cell_arrays["Orientation"]), {1})
+        self.assertRegex(checked.verdict, r"^[\d,]+ tetrahedra, [\d,]+ pyramids and [\d,]+ prisms in 1 part, conforming, the boundary watertight; all positive$")
+        path = self.path("layered.vtu")
+        insideout.write(result, path)
+        ran = run_here("check", path)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertIn(checked.verdict, ran.stdout)
+
+    def test_a_prism_that_is_turned_over_is_found(self):
+        solid = self.layered().solid
+        prism = int(np.flatnonzero([solid.GetCellType(c) == 13 for c in range(solid.GetNumberOfCells())])[0])
+        nodes = solid.cells["wedge"][0]
+        points = solid.points
+        points[nodes[3]] = points[nodes[0]] + 3 * (points[nodes[0]] - points[nodes[3]])
+        checked = insideout.check_solid(solid)
+        self.assertGreater(checked.statistics["NegativeCells"], 0)
+        self.assertGreater(checked.statistics["RefusedCells"], 0)
+        self.assertEqual(checked.solid.cell_arrays["Orientation"][prism], -1)
+
     def test_files_of_solvers_hold_them(self):
         result = self.layered()
         counts = {name: len(cells) for name, cells in result.solid.cells.items()}

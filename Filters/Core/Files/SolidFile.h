@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/LayerCells.h"
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 
@@ -25,15 +26,10 @@ struct SolidGroup
 };
 
 /** The content of a solver's file: cells by regions, and their tagged faces. */
-struct SolidMesh
+struct SolidMesh : LayerCells
 {
   std::vector<Point> Points;
   std::vector<Tetrahedron> Cells; ///< their corners
-
-  /** Cells of boundary layers, corners in VTK's order: the base of a pyramid is counter-clockwise
-   * seen from its last corner, the first triangle of a prism seen from outside. */
-  std::vector<std::array<Id, 5>> Pyramids;
-  std::vector<std::array<Id, 6>> Prisms;
 
   /**
    * The mid-edge nodes of each cell, in the order of TetrahedronEdges. Empty if cells are linear.
@@ -50,7 +46,6 @@ struct SolidMesh
   std::vector<SolidGroup> Regions;
   std::vector<SolidGroup> Tags;
 
-  bool HasLayers() const { return !this->Pyramids.empty() || !this->Prisms.empty(); }
   std::size_t NumberOfCells() const
   {
     return this->Cells.size() + this->Pyramids.size() + this->Prisms.size();

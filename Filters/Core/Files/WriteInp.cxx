@@ -46,8 +46,7 @@ int NumberOfFace(const SolidMesh& solid, const CellFace& face)
                                    : NumbersOfFaces[face.Face];
 }
 
-/** The points of a cell in the order of C3D4, C3D10 and C3D6: the first triangle of a C3D6 is seen
- * from within, and a pyramid is one whose two triangles share a corner. */
+/** The points of a cell in the order of C3D4, C3D10 and C3D6. */
 SolidNodes InpNodesOf(const SolidMesh& solid, std::size_t cell)
 {
   SolidNodes nodes = NodesOf(solid, cell);
@@ -57,8 +56,12 @@ SolidNodes InpNodesOf(const SolidMesh& solid, std::size_t cell)
   {
     return nodes;
   }
-  return shape == CellShape::Prism ? SolidNodes{ { { n[3], n[4], n[5], n[0], n[1], n[2] } }, 6 }
-                                   : SolidNodes{ { { n[4], n[3], n[2], n[4], n[0], n[1] } }, 6 };
+  const Prism other = shape == CellShape::Prism
+    ? NodesOfC3D6(Prism{ { n[0], n[1], n[2], n[3], n[4], n[5] } })
+    : NodesOfC3D6(Pyramid{ { n[0], n[1], n[2], n[3], n[4] } });
+  nodes.Count = 6;
+  std::copy(other.begin(), other.end(), nodes.Ids.begin());
+  return nodes;
 }
 
 /** A number by to_chars, without zeros that readers do not need. */

@@ -17,8 +17,9 @@ struct LayerParameters
   double Growth = 1.2;    ///< of a layer's height over that of the one before it
 };
 
-/** A solid with layers of prisms at a wall, and tetrahedra behind. */
-struct LayeredMesh
+/** A solid with layers of prisms at a wall, of pyramids where one edge has no length, and
+ * tetrahedra behind. */
+struct LayeredMesh : LayerCells
 {
   /** Those of the input that are left, with the wall's where they were, then those of the layers.
    */
@@ -29,8 +30,6 @@ struct LayeredMesh
   /** Cells behind the layers first, then those of layers with two edges of no length. */
   std::vector<Tetrahedron> Tetrahedra;
   std::size_t NumberOfCellsBehind = 0; ///< of these tetrahedra
-  std::vector<Pyramid> Pyramids;       ///< of layers with one edge of no length
-  std::vector<Prism> Prisms;
 
   /** Per cell, tetrahedra before pyramids before prisms: one of the input that holds it, or is
    * near it, of the same region; and its layer, from 1 at the wall, 0 behind. */
@@ -47,7 +46,7 @@ struct LayeredMesh
  * prism with an edge of no length is a pyramid, with two a tetrahedron. All other faces of the
  * boundary and between regions stay, too.
  *
- * Every cell is positive at its corners, exactly (IsPositive), each inner face is of two cells, and
+ * Every cell is positive at its corners, exactly (Orient), each inner face is of two cells, and
  * together they fill the solid. The same result for the same input, always.
  *
  * Statistics: Layers, Prisms, Pyramids, LayerTetrahedra; WallTriangles, WallPoints, of these

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layers/LayerColumns.h"
 
-#include "Common/PointPredicates.h"
-#include "Common/Vectors.h"
-
 namespace insideout
 {
 namespace
@@ -14,9 +11,7 @@ bool IsLayerPositive(const std::array<Point, 3>& outer, const std::array<Point, 
 {
   for (int k = 0; k < 3; ++k)
   {
-    if (isLifted[k] &&
-      (Orient3D(outer[0], outer[2], outer[1], inner[k]) <= 0 ||
-        Orient3D(inner[0], inner[1], inner[2], outer[k]) <= 0))
+    if (isLifted[k] && OrientPrism(outer, inner, k) <= 0)
     {
       return false;
     }
@@ -75,25 +70,6 @@ bool IsPositive(const LayerColumn& column, const std::vector<double>& fractions)
       return false;
     }
     below = above;
-  }
-  return true;
-}
-
-bool IsPositive(const std::vector<Point>& points, const Prism& prism)
-{
-  return IsLayerPositive(CornersOf(points, Triangle{ { prism[0], prism[1], prism[2] } }),
-    CornersOf(points, Triangle{ { prism[3], prism[4], prism[5] } }), { { true, true, true } });
-}
-
-bool IsPositive(const std::vector<Point>& points, const Pyramid& pyramid)
-{
-  for (int k = 0; k < 4; ++k)
-  {
-    if (Orient3D(
-          points, { { pyramid[k], pyramid[(k + 1) % 4], pyramid[(k + 2) % 4], pyramid[4] } }) <= 0)
-    {
-      return false;
-    }
   }
   return true;
 }

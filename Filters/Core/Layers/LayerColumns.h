@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/Types.h"
+#include "Common/LayerCells.h"
 
 #include <vector>
 
 namespace insideout
 {
-/** Corners as VTK has them: the first triangle is counter-clockwise seen from outside. */
-using Prism = std::array<Id, 6>;
-
-/** Corners as VTK has them: the base is counter-clockwise seen from the last one. */
-using Pyramid = std::array<Id, 5>;
-
 /** Where the borders of layers are between the wall and the innermost one: 0, and up to 1. */
 std::vector<double> FractionsOfLayers(int layers, double growth);
 
@@ -33,8 +27,4 @@ Point PlaceOnBorder(const Point& outer, const Point& inner, double fraction);
  * theirs.
  */
 bool IsPositive(const LayerColumn& column, const std::vector<double>& fractions);
-
-/** Whether a prism has positive corner tetrahedra, exactly. */
-bool IsPositive(const std::vector<Point>& points, const Prism& prism);
-bool IsPositive(const std::vector<Point>& points, const Pyramid& pyramid);
 } // namespace insideout

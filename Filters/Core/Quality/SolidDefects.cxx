@@ -24,24 +24,74 @@ struct Faces
   std::vector<Triangle> Boundary;
   Id Crowded = 0;
   Id Overlapping = 0;
+  Id Cut = 0; ///< quads' halves that are a triangle of another cell
 };
 
-/** On which side of the face, as its sorted points run, the cell lies; 0 for a flat one. */
-int SideOf(const FaceEntry& entry, const std::vector<std::int8_t>& orientations)
+/** The cells, those of layers cut. */
+class Parts
 {
-  return (entry.Turned ? -1 : 1) * orientations[entry.Cell];
-}
+public:
+  Parts(const std::vector<Tetrahedron>& cells, const LayerCells& layers)
+    : Corners(cells)
+    , Tetrahedra(cells.size())
+  {
+    Id cell = static_cast<Id>(cells.size());
+    this->Append(layers.Pyramids, cell);
+    this->Append(layers.Prisms, cell);
+  }
 
-Faces FindFaces(const std::vector<Tetrahedron>& cells, std::size_t numberOfPoints,
-  const std::vector<std::int8_t>& orientations)
+  std::vector<Tetrahedron> Corners;
+
+  Id CellOf(Id part) const
+  {
+    const auto other = static_cast<std::size_t>(part) - this->Tetrahedra;
+    return static_cast<std::size_t>(part) < this->Tetrahedra ? part : this->Cells[other];
+  }
+
+  bool IsHalf(const FaceEntry& entry) const
+  {
+    const auto other = static_cast<std::size_t>(entry.Cell) - this->Tetrahedra;
+    return static_cast<std::size_t>(entry.Cell) >= this->Tetrahedra &&
+      this->Halves[other][entry.Face];
+  }
+
+private:
+  template <class Cell>
+  void Append(const std::vector<Cell>& cells, Id& number)
+  {
+    std::vector<CellPart> parts;
+    for (const Cell& cell : cells)
+    {
+      parts.clear();
+      AppendParts(cell, parts);
+      for (const CellPart& part : parts)
+      {
+        this->Corners.push_back(part.Corners);
+        this->Halves.push_back(part.IsHalf);
+        this->Cells.push_back(number);
+      }
+      ++number;
+    }
+  }
+
+  const std::size_t Tetrahedra;
+  std::vector<Id> Cells; ///< of the parts behind the tetrahedra
+  std::vector<std::array<bool, 4>> Halves;
+};
+
+Faces FindFaces(
+  const Parts& parts, std::size_t numberOfPoints, const std::vector<std::int8_t>& orientations)
 {
   Faces faces;
-  const FaceTable table(numberOfPoints, cells);
-  for (std::size_t c = 0; c < cells.size(); ++c)
+  const FaceTable table(numberOfPoints, parts.Corners);
+  /** On which side of the face, as its sorted points run, the cell lies; 0 for a flat one. */
+  const auto sideOf = [&](const FaceEntry& entry)
+  { return (entry.Turned ? -1 : 1) * orientations[parts.CellOf(entry.Cell)]; };
+  for (std::size_t c = 0; c < parts.Corners.size(); ++c)
   {
     for (int k = 0; k < 4; ++k)
     {
-      const Triangle corners = FaceOf(cells[c], k);
+      const Triangle corners = FaceOf(parts.Corners[c], k);
       const FaceTable::Range sharing = table.Find(SortedTriangle(corners));
       if (sharing.First[0].Cell != static_cast<Id>(c))
       {
@@ -53,11 +103,14 @@ Faces FindFaces(const std::vector<Tetrahedron>& cells, std::size_t numberOfPoint
       }
       for (std::size_t other = 1; other < sharing.Size(); ++other)
       {
-        faces.Joints.push_back({ static_cast<Id>(c), sharing.First[other].Cell });
+        faces.Joints.push_back(
+          { parts.CellOf(static_cast<Id>(c)), parts.CellOf(sharing.First[other].Cell) });
       }
       faces.Crowded += sharing.Size() > 2;
-      faces.Overlapping += sharing.Size() == 2 &&
-        SideOf(sharing.First[0], orientations) * SideOf(sharing.First[1], orientations) > 0;
+      faces.Overlapping +=
+        sharing.Size() == 2 && sideOf(sharing.First[0]) * sideOf(sharing.First[1]) > 0;
+      faces.Cut +=
+        sharing.Size() == 2 && parts.IsHalf(sharing.First[0]) != parts.IsHalf(sharing.First[1]);
     }
   }
   return faces;
@@ -90,14 +143,21 @@ std::vector<Triangle> WithArea(const std::vector<Point>& points, std::vector<Tri
 }
 } // namespace
 
-SolidDefects FindSolidDefects(
-  const std::vector<Point>& points, const std::vector<Tetrahedron>& cells, Monitor& monitor)
+SolidDefects FindSolidDefects(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const LayerCells& layers, Monitor& monitor)
 {
   SolidDefects defects;
-  defects.Orientations.resize(cells.size());
-  ParallelLoop(cells.size(), NanosecondsPerCell, monitor, { Stages::Validating, 0, 0.3 },
+  const std::size_t pyramids = cells.size() + layers.Pyramids.size();
+  defects.Orientations.resize(pyramids + layers.Prisms.size());
+  ParallelLoop(defects.Orientations.size(), NanosecondsPerCell, monitor,
+    { Stages::Validating, 0, 0.3 },
     [&](std::size_t c)
-    { defects.Orientations[c] = static_cast<std::int8_t>(Orient3D(points, cells[c])); });
+    {
+      defects.Orientations[c] =
+        static_cast<std::int8_t>(c < cells.size() ? Orient3D(points, cells[c])
+            : c < pyramids ? Orient(points, layers.Pyramids[c - cells.size()])
+                           : Orient(points, layers.Prisms[c - pyramids]));
+    });
   const auto count = [&](int sign)
   {
     return static_cast<Id>(
@@ -105,14 +165,16 @@ SolidDefects FindSolidDefects(
   };
   defects.NegativeCells = count(-1);
   defects.FlatCells = count(0);
-  Faces faces = FindFaces(cells, points.size(), defects.Orientations);
+  Parts parts(cells, layers);
+  Faces faces = FindFaces(parts, points.size(), defects.Orientations);
   monitor.Check(Stages::Validating, 0.8);
   FindRegions(faces.Joints, defects);
   defects.CrowdedFaces = faces.Crowded;
   defects.OverlappingFaces = faces.Overlapping;
   defects.Boundary = std::move(faces.Boundary);
+  defects.Parts = std::move(parts.Corners);
   monitor.Check(Stages::Validating, 1);
-  defects.ContactPairs =
+  defects.ContactPairs = faces.Cut +
     static_cast<Id>(FindIntersections(points, WithArea(points, defects.Boundary), monitor).size());
   return defects;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/LayerCells.h"
 #include "Common/Monitor.h"
 #include "Common/Statistics.h"
 #include "Common/Types.h"
@@ -9,11 +10,11 @@
 
 namespace insideout
 {
-/** The defects of tetrahedra, decided exactly. */
+/** The defects of cells, decided exactly: tetrahedra first, then pyramids and prisms of layers. */
 struct SolidDefects
 {
-  /** For each cell: 1 where its volume is positive as vtkTetra orders its points, 0 where it is
-   * flat, -1 where it is negative. */
+  /** For each cell: 1 where its volume is positive as VTK orders its points, 0 where it is flat, -1
+   * where it is negative. A pyramid or prism is as its worst corner (Orient). */
   std::vector<std::int8_t> Orientations;
 
   /** For each cell the part of the solid that it is in, parts being joined through faces: from 0,
@@ -27,10 +28,12 @@ struct SolidDefects
   Id CrowdedFaces = 0;     ///< of more than two cells
   Id OverlappingFaces = 0; ///< whose two cells lie on the same side
 
-  std::vector<Triangle> Boundary; ///< the faces of one cell
+  std::vector<Tetrahedron> Parts; ///< the cells, those of layers cut (AppendParts)
+  std::vector<Triangle> Boundary; ///< the faces of one cell, quads cut with it
 
   /** Pairs of boundary faces that meet beyond the points and edges that they share: where cells
-   * overlap, or do not fit together, as at a point in the middle of another cell's edge. */
+   * overlap, or do not fit together, as at a point in the middle of another cell's edge; and quads'
+   * halves that are a triangle of another cell. */
   Id ContactPairs = 0;
 
   /** Whether cells meet in whole faces only, without overlap. The boundary is watertight then: a
@@ -42,14 +45,14 @@ struct SolidDefects
 };
 
 /**
- * The defects of tetrahedra.
+ * The defects of tetrahedra, and of pyramids and prisms among them.
  *
  * @param[in] points finite coordinates
- * @param[in] cells ids in range, each with four different ones
+ * @param[in] cells ids in range, each with different ones, as in layers
  * @throws Error Stopped
  */
-SolidDefects FindSolidDefects(
-  const std::vector<Point>& points, const std::vector<Tetrahedron>& cells, Monitor& monitor);
+SolidDefects FindSolidDefects(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const LayerCells& layers, Monitor& monitor);
 
 /** The counts under their names; Conforms is 1 or 0. */
 void AppendSolidDefects(const SolidDefects& defects, Statistics& statistics);

@@ -10,9 +10,9 @@
 #include <cmath>
 #include <limits>
 
-// The Jacobians are those of CalculiX: Dhondt, CalculiX CrunchiX User's Manual, and its shape4tet
-// and shape10tet. Each sum is taken in its order, so that what rounding makes of a flat cell is the
-// same.
+// The Jacobians are those of CalculiX: Dhondt, CalculiX CrunchiX User's Manual, and its shape4tet,
+// shape10tet and shape6w. Each sum is taken in its order, so that what rounding makes of a flat
+// cell is the same.
 
 namespace insideout
 {
@@ -63,6 +63,23 @@ std::array<ShapeDerivatives<10>, 4> QuadraticDerivativesAtPoints()
     QuadraticDerivatives(near, far, near), QuadraticDerivatives(near, near, far) } };
 }
 
+/** The two integration points of C3D6, and its derivatives there. */
+std::array<ShapeDerivatives<6>, 2> PrismDerivativesAtPoints()
+{
+  constexpr double third = 0.333333333333333;
+  constexpr double height = 0.577350269189626;
+  const auto at = [](double xi, double eta, double zeta)
+  {
+    const double a = 1 - xi - eta;
+    const double below = 0.5 * (1 - zeta);
+    const double above = 0.5 * (1 + zeta);
+    return ShapeDerivatives<6>{ { { { -below, below, 0, -above, above, 0 } },
+      { { -below, 0, below, -above, 0, above } },
+      { { -0.5 * a, -0.5 * xi, -0.5 * eta, 0.5 * a, 0.5 * xi, 0.5 * eta } } } };
+  };
+  return { { at(third, third, -height), at(third, third, height) } };
+}
+
 template <std::size_t Nodes>
 double Jacobian(const std::array<Point, Nodes>& nodes, const ShapeDerivatives<Nodes>& shapes)
 {
@@ -104,14 +121,41 @@ double LeastJacobian(
   return least;
 }
 
-double LongestEdge(const std::array<Point, 4>& corners)
+/** Of the tetrahedron's edges, or between any two of other corners. */
+template <std::size_t Corners>
+double LongestEdge(const std::array<Point, Corners>& corners)
 {
   double longest = 0;
-  for (const auto& [i, j] : TetrahedronEdges)
+  for (std::size_t i = 0; i < Corners; ++i)
   {
-    longest = std::max(longest, Distance(corners[i], corners[j]));
+    for (std::size_t j = i + 1; j < Corners; ++j)
+    {
+      longest = std::max(longest, Distance(corners[i], corners[j]));
+    }
   }
   return longest;
+}
+
+/** Whether a solver takes a cell that has this least Jacobian. */
+Fitness FitnessOfJacobian(double jacobian, double cubeOfLongest)
+{
+  return jacobian >= SmallestJacobian             ? Fitness::Good
+    : jacobian > SmallestJacobian * cubeOfLongest ? Fitness::TooSmall
+                                                  : Fitness::Refused;
+}
+
+/** The fitness of a cell of layers. */
+template <class Cell>
+Fitness FitnessOf(const std::vector<Point>& points, const Cell& cell)
+{
+  static const std::array<ShapeDerivatives<6>, 2> shapes = PrismDerivativesAtPoints();
+  const Prism ids = NodesOfC3D6(cell);
+  std::array<Point, 6> nodes;
+  std::transform(ids.begin(), ids.end(), nodes.begin(), [&points](Id p) { return points[p]; });
+  const double below = Jacobian(nodes, shapes[0]);
+  const double above = Jacobian(nodes, shapes[1]);
+  const double longest = LongestEdge(nodes);
+  return FitnessOfJacobian(below <= above ? below : above, longest * longest * longest);
 }
 
 Fitness FitnessOf(
@@ -122,7 +166,7 @@ Fitness FitnessOf(
   const double cube = longest * longest * longest;
   if (!(jacobian >= SmallestJacobian))
   {
-    return jacobian > SmallestJacobian * cube ? Fitness::TooSmall : Fitness::Refused;
+    return FitnessOfJacobian(jacobian, cube);
   }
   // The sine of each dihedral angle is at least six volumes over the longest edge cubed.
   const double volume = midpoints ? Jacobian(corners, LinearDerivatives) : jacobian;
@@ -236,12 +280,20 @@ std::string AdviceFor(const SolverFitness& fitness, CellTreatment done)
 
 SolverFitness FitnessForSolver(const std::vector<Point>& points,
   const std::vector<Tetrahedron>& cells, const std::vector<std::array<Id, 6>>& midpoints,
-  const std::vector<Id>& regions, Monitor& monitor, const ProgressRange& progress)
+  const LayerCells& layers, const std::vector<Id>& regions, Monitor& monitor,
+  const ProgressRange& progress)
 {
-  std::vector<Fitness> found(cells.size());
-  ParallelLoop(cells.size(), NanosecondsPerCell, monitor, progress,
+  const std::size_t pyramids = cells.size() + layers.Pyramids.size();
+  std::vector<Fitness> found(pyramids + layers.Prisms.size());
+  ParallelLoop(found.size(), NanosecondsPerCell, monitor, progress,
     [&](std::size_t c)
     {
+      if (c >= cells.size())
+      {
+        found[c] = c < pyramids ? FitnessOf(points, layers.Pyramids[c - cells.size()])
+                                : FitnessOf(points, layers.Prisms[c - pyramids]);
+        return;
+      }
       const bool isLinear = midpoints.empty() || midpoints[c][0] == None;
       found[c] =
         FitnessOf(CornersOf(points, cells[c]), points, isLinear ? nullptr : midpoints[c].data());
@@ -249,14 +301,14 @@ SolverFitness FitnessForSolver(const std::vector<Point>& points,
   const auto count = [&found](Fitness kind)
   { return static_cast<Id>(std::count(found.begin(), found.end(), kind)); };
   SolverFitness fitness;
-  fitness.Cells = static_cast<Id>(cells.size());
+  fitness.Cells = static_cast<Id>(found.size());
   fitness.TooSmallCells = count(Fitness::TooSmall);
   fitness.RefusedCells = count(Fitness::Refused) + fitness.TooSmallCells;
   fitness.PoorCells = count(Fitness::Poor);
   if (!fitness.IsGood())
   {
     const NeedleFinder needles(points, cells, regions);
-    for (std::size_t c = 0; c < found.size(); ++c)
+    for (std::size_t c = 0; c < cells.size(); ++c)
     {
       const bool counts = found[c] == Fitness::Refused || found[c] == Fitness::Poor;
       fitness.CellsOnNeedles += counts && needles.HasNeedle(static_cast<Id>(c)) ? 1 : 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/LayerCells.h"
 #include "Common/Monitor.h"
 #include "Common/Statistics.h"
 #include "Common/Types.h"
@@ -22,7 +23,8 @@ struct SolverFitness
   /** Those refused cells whose size alone is too small. In a smaller unit they pass. */
   Id TooSmallCells = 0;
 
-  /** Other cells with a dihedral angle below 1 degree, which cost a solver steps and digits. */
+  /** Other tetrahedra with a dihedral angle below 1 degree, which cost a solver steps and digits.
+   */
   Id PoorCells = 0;
 
   /** Refused and poor cells with a face on the boundary or between regions that is a needle itself:
@@ -46,12 +48,14 @@ enum class CellTreatment
  * @param[in] points finite coordinates, with the digits and in the unit that the solver gets
  * @param[in] cells ids in range
  * @param[in] midpoints of each cell, on TetrahedronEdges; empty or None where cells are linear
- * @param[in] regions of each cell; empty where all are one
+ * @param[in] layers pyramids and prisms among them, as CalculiX has them: C3D6 (NodesOfC3D6)
+ * @param[in] regions of each tetrahedron; empty where all are one
  * @throws Error Stopped
  */
 SolverFitness FitnessForSolver(const std::vector<Point>& points,
   const std::vector<Tetrahedron>& cells, const std::vector<std::array<Id, 6>>& midpoints,
-  const std::vector<Id>& regions, Monitor& monitor, const ProgressRange& progress);
+  const LayerCells& layers, const std::vector<Id>& regions, Monitor& monitor,
+  const ProgressRange& progress);
 
 /** The numbers of cells that a solver refuses or suffers from, and the name of the option that
  * helps; empty if there are none. */

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, Union
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkUnstructuredGrid
 
 from .calling import for_users
 from .checking import Finding, find_among
-from .data import Tetrahedra, as_type
+from .data import LayeredCells, Tetrahedra, as_type, has_layers
 from .defects import Defect
 from .options import in_words_of_python
 from .pipeline import Progress, add_statistic, run, statistics_of
@@ -51,7 +51,7 @@ SOLID_DEFECTS = (
 class SolidCheck(MeshResult):
     """What `check_solid` found. The VTK class vtkSolidQuality describes the arrays and statistics."""
 
-    solid: Tetrahedra
+    solid: Union[Tetrahedra, LayeredCells]
     """The solid with the quality of each cell. Its field data are what was measured, and not what it had."""
     statistics: Statistics
     """Counts, angles and ratios by name."""
@@ -83,9 +83,9 @@ _TREATMENTS = ("RefinedCells", "SurfaceDistance")
 
 @for_users
 def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> SolidCheck:
-    """Find the defects of a solid of tetrahedra, and the quality of its cells. Nothing is changed.
+    """Find the defects of a solid of tetrahedra and layers of prisms, and the quality of its cells. Nothing is changed.
 
-    solid     a vtkUnstructuredGrid of tetrahedra, of first or second order; the name of a .vtu, .msh,
+    solid     a vtkUnstructuredGrid of tetrahedra, of first or second order, and layers; the name of a .vtu, .msh,
               .inp or .mesh file; a pair (points, cells) of arrays; a meshio.Mesh; or a VTK algorithm
     progress  called with the stage and the fraction of all the work that is done
 
@@ -105,7 +105,7 @@ def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> Soli
     warnings = warnings + in_words_of_python(run(measure, progress))
     statistics = Statistics({name: value for name, value in statistics_of(measure.GetOutput()).items() if name not in told})
     return SolidCheck(
-        solid=as_type(Tetrahedra, measure.GetOutput()),
+        solid=as_type(LayeredCells if has_layers(grid) else Tetrahedra, measure.GetOutput()),
         statistics=statistics,
         histogram=vtk_to_numpy(measure.GetOutput().GetFieldData().GetArray("DihedralAngleHistogram")).tolist(),
         findings=find_among(SOLID_DEFECTS, statistics),
@@ -117,7 +117,10 @@ def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> Soli
 def solid_verdict(statistics: Mapping[str, float]) -> str:
     """In one sentence."""
     cells, regions = (int(statistics[name]) for name in ("Cells", "Regions"))
-    mesh = f"{cells:,} tetrahedra in {regions:,} {'part' if regions == 1 else 'parts'}"
+    layers = {name: int(statistics.get(name.capitalize(), 0)) for name in ("pyramids", "prisms")}
+    counts = [f"{count:,} {name}" for name, count in layers.items() if count > 0]
+    mesh = " and ".join([", ".join([f"{cells - sum(layers.values()):,} tetrahedra", *counts[:-1]]), *counts[-1:]])
+    mesh += f" in {regions:,} {'part' if regions == 1 else 'parts'}"
     wrong = [defect.counted(statistics[defect.statistic]) for defect in SOLID_DEFECTS[:3] if statistics[defect.statistic] > 0]
     positive = " and ".join(wrong) if wrong else "all positive"
     if not statistics["Conforms"]:

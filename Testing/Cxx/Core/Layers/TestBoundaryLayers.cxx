@@ -145,7 +145,7 @@ void ExpectLaws(
   const std::vector<Point>& points = layered.Points;
   EXPECT_TRUE(std::all_of(layered.Tetrahedra.begin(), layered.Tetrahedra.end(),
     [&](const Tetrahedron& cell) { return Orient3D(points, cell) > 0; }));
-  const auto isPositive = [&](const auto& cell) { return IsPositive(points, cell); };
+  const auto isPositive = [&](const auto& cell) { return Orient(points, cell) > 0; };
   EXPECT_TRUE(std::all_of(layered.Prisms.begin(), layered.Prisms.end(), isPositive));
   EXPECT_TRUE(std::all_of(layered.Pyramids.begin(), layered.Pyramids.end(), isPositive));
 
@@ -388,23 +388,6 @@ TEST(BoundaryLayers, NameWhatIsWrong)
   EXPECT_NE(messageOf({ 0 }, { outer }).find("1 regions"), std::string::npos);
   const LayerParameters many = { std::numeric_limits<int>::max(), 1, 1 };
   EXPECT_NE(MessageOf(grid, many).find("layers make"), std::string::npos);
-}
-
-TEST(LayerColumns, TellPrismsThatAreTurnedOver)
-{
-  std::vector<Point> points = { { { 0, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, 0 } }, { { 0, 0, 1 } },
-    { { 0, 1, 1 } }, { { 1, 0, 1 } } };
-  const Prism prism = { { 0, 1, 2, 3, 4, 5 } };
-  EXPECT_TRUE(IsPositive(points, prism));
-  EXPECT_FALSE(IsPositive(points, Prism{ { 3, 4, 5, 0, 1, 2 } }));
-  points[5] = { { 1, 0, 0 } }; // an edge of no length
-  EXPECT_FALSE(IsPositive(points, prism));
-  points[5] = { { -1, 0, 1 } }; // its triangle is turned over, its edges go inward
-  EXPECT_FALSE(IsPositive(points, prism));
-  points[5] = { { 1, 0, 1 } };
-  EXPECT_TRUE(IsPositive(points, Pyramid{ { 1, 2, 5, 4, 0 } }));
-  EXPECT_TRUE(IsPositive(points, Pyramid{ { 2, 5, 4, 1, 0 } }));
-  EXPECT_FALSE(IsPositive(points, Pyramid{ { 1, 4, 5, 2, 0 } }));
 }
 
 TEST(LayerColumns, GrowByTheirFactor)

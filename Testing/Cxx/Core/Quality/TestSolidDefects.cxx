@@ -12,10 +12,11 @@ namespace
 using namespace insideout;
 using testtetrahedra::Grid;
 
-SolidDefects DefectsOf(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells)
+SolidDefects DefectsOf(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
+  const LayerCells& layers = {})
 {
   Monitor silent;
-  return FindSolidDefects(points, cells, silent);
+  return FindSolidDefects(points, cells, layers, silent);
 }
 
 /** Corners, in which a cell has a positive volume: 0, 1, 2 and any of those above. */
@@ -123,6 +124,45 @@ TEST(SolidDefects, NumberRegionsByTheirFirstCells)
   EXPECT_EQ(found.Regions[2], 0);
   EXPECT_EQ(found.Regions.back(), 1);
   EXPECT_TRUE(found.Conforms());
+}
+
+namespace
+{
+/** A prism, a pyramid on one of its sides, and a tetrahedron on top. */
+const std::vector<Point> LayerPoints = { { { 0, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, 0 } },
+  { { 0, 0, 1 } }, { { 0, 1, 1 } }, { { 1, 0, 1 } }, { { 1, 1, 0 } }, { { 0, 0, 2 } } };
+const LayerCells OneOfEach = { { { { 1, 4, 5, 2, 6 } } }, { { { 0, 1, 2, 3, 4, 5 } } } };
+} // namespace
+
+TEST(SolidDefects, OfLayersAreNone)
+{
+  const SolidDefects found = DefectsOf(LayerPoints, { { { 3, 5, 4, 7 } } }, OneOfEach);
+  EXPECT_EQ(found.Orientations, (std::vector<std::int8_t>{ 1, 1, 1 }));
+  EXPECT_EQ(found.Regions, (std::vector<Id>{ 0, 0, 0 }));
+  EXPECT_TRUE(found.Conforms());
+  EXPECT_EQ(found.Boundary.size(), 3U + 4 + 1 + 4); // two quads of the prism are cut
+  EXPECT_EQ(found.Parts.size(), 1U + 2 + 3);
+}
+
+TEST(SolidDefects, OfAPrismAreThoseOfItsCorners)
+{
+  std::vector<Point> points = LayerPoints;
+  points[3] = { { 0.9, 0.9, 0.5 } }; // beyond the edge from 4 to 5
+  const SolidDefects turned = DefectsOf(points, {}, { {}, OneOfEach.Prisms });
+  EXPECT_EQ(turned.Orientations, std::vector<std::int8_t>{ -1 });
+  EXPECT_EQ(turned.NegativeCells, 1);
+  points[3] = { { 0.5, 0.5, 1 } };
+  EXPECT_EQ(DefectsOf(points, {}, { {}, OneOfEach.Prisms }).FlatCells, 1);
+}
+
+TEST(SolidDefects, FindTrianglesThatAreHalvesOfQuads)
+{
+  // In place of the pyramid two tetrahedra; the quad's diagonal is at its lowest corner.
+  const SolidDefects found =
+    DefectsOf(LayerPoints, { { { 1, 4, 5, 6 } }, { { 1, 5, 2, 6 } } }, { {}, OneOfEach.Prisms });
+  EXPECT_EQ(found.NegativeCells + found.FlatCells + found.OverlappingFaces, 0);
+  EXPECT_EQ(found.ContactPairs, 2);
+  EXPECT_FALSE(found.Conforms());
 }
 
 TEST(SolidDefects, OfNothingAreNone)

@@ -15,10 +15,11 @@ using testtetrahedra::Flatten;
 using testtetrahedra::Grid;
 
 SolverFitness FitnessOf(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
-  const std::vector<std::array<Id, 6>>& midpoints = {}, const std::vector<Id>& regions = {})
+  const std::vector<std::array<Id, 6>>& midpoints = {}, const std::vector<Id>& regions = {},
+  const LayerCells& layers = {})
 {
   Monitor silent;
-  return FitnessForSolver(points, cells, midpoints, regions, silent, { "measuring", 0, 1 });
+  return FitnessForSolver(points, cells, midpoints, layers, regions, silent, { "measuring", 0, 1 });
 }
 
 /** A cell whose corner at the top is as high as this above the middle of the others. */
@@ -70,6 +71,32 @@ TEST(SolverFitness, CountsCellsThatAreFlatInDoublesThoughTheyArePositive)
   const SolverFitness fitness = FitnessOf(mesh.Points, mesh.Cells);
   EXPECT_GT(fitness.RefusedCells, 0);
   EXPECT_EQ(fitness.TooSmallCells, 0);
+}
+
+TEST(SolverFitness, TakesPrismsAtTheirIntegrationPoints)
+{
+  const LayerCells prism = { {}, { { { 0, 1, 2, 3, 4, 5 } } } };
+  std::vector<Point> points = { { { 0, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, 0 } }, { { 0, 0, 1 } },
+    { { 0, 1, 1 } }, { { 1, 0, 1 } } };
+  const auto refused = [&] { return FitnessOf(points, {}, {}, {}, prism).RefusedCells; };
+  EXPECT_EQ(refused(), 0);
+  EXPECT_EQ(FitnessOf(points, {}, {}, {}, prism).Cells, 1);
+  // The second triangle turns over as it gets less wide; the point there is at 0.789 of the way.
+  points[4][1] = points[5][0] = -0.1;
+  EXPECT_EQ(refused(), 0);
+  points[4][1] = -0.6;
+  points[5][0] = 1;
+  EXPECT_EQ(refused(), 1);
+  const LayerCells pyramid = { { { { 1, 2, 5, 4, 0 } } }, {} };
+  points[4][1] = 1;
+  EXPECT_EQ(FitnessOf(points, {}, {}, {}, pyramid).RefusedCells, 0);
+  const LayerCells turned = { { { { 1, 4, 5, 2, 0 } } }, {} };
+  EXPECT_EQ(FitnessOf(points, {}, {}, {}, turned).RefusedCells, 1);
+  for (Point& point : points)
+  {
+    point = { { 1e-7 * point[0], 1e-7 * point[1], 1e-7 * point[2] } };
+  }
+  EXPECT_EQ(FitnessOf(points, {}, {}, {}, prism).TooSmallCells, 1);
 }
 
 TEST(SolverFitness, TellsRefusedFromPoorAndGoodByTheHeight)

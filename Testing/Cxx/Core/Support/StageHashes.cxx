@@ -45,7 +45,7 @@ Hashes HashStages(const TriangleSoup& soup)
       surface, hull.Mesh, BoundaryFaces(hull.Mesh, inside, monitor, progress), monitor, progress));
   add("outliers", OutlierPieces(surface, hull.Mesh, inside, monitor, progress));
 
-  const SolidDefects solid = FindSolidDefects(hull.Mesh.Points, hull.Mesh.Cells, monitor);
+  const SolidDefects solid = FindSolidDefects(hull.Mesh.Points, hull.Mesh.Cells, {}, monitor);
   add("solid defects", solid.Orientations, solid.Regions, solid.ContactPairs);
   const MeshQuality quality = QualityOfMesh(hull.Mesh.Points, hull.Mesh.Cells, monitor, progress);
   add("quality", quality.Histogram, quality.MinDihedralAngle, quality.DihedralAngle1Percent,
