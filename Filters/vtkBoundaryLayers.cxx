@@ -24,6 +24,7 @@ vtkStandardNewMacro(vtkBoundaryLayers);
 vtkBoundaryLayers::vtkBoundaryLayers()
 {
   this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
   const LayerParameters defaults;
   this->Layers = defaults.Layers;
   this->FirstHeight = defaults.FirstHeight;
@@ -45,6 +46,17 @@ int vtkBoundaryLayers::FillInputPortInformation(int port, vtkInformation* info)
     vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
+}
+
+int vtkBoundaryLayers::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+vtkPolyData* vtkBoundaryLayers::GetBoundary()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 void vtkBoundaryLayers::SetBoundaryConnection(vtkAlgorithmOutput* boundary)
@@ -84,6 +96,7 @@ int vtkBoundaryLayers::RequestData(vtkInformation* vtkNotUsed(request),
         vtkInsideOut::MakeLayers(input, boundary, vtkInsideOut::SplitNames(this->LayerTags),
           { this->Layers, this->FirstHeight, this->Growth }, monitor);
       output->ShallowCopy(layering.Grid);
+      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(layering.Boundary);
       vtkInsideOut::AddStatistics(layering.Statistics, output);
       vtkInsideOut::Warn(this, layering.Warnings);
     });

@@ -5,14 +5,17 @@
  *
  * Takes a conforming grid of tetrahedra, as vtkRobustTetrahedralize and vtkRefineTetrahedra make
  * it, and the triangles of its boundary, and puts layers of prisms behind those that have one of
- * LayerTags. These triangles stay as they are, bit by bit, and so does the rest of the boundary;
- * tetrahedra behind the layers move away and are improved.
+ * LayerTags. These triangles stay as they are, bit by bit; tetrahedra behind the layers move away
+ * and are improved.
  *
  * All layers at a point of the wall go the same way, and shrink alike where there is no room for
- * them: in gaps to a third of the width, where the wall is bent inward, and in sharp corners. They
- * end, with height 0, at the rest of the boundary, at faces between regions, and where no direction
- * leads away from all triangles of a point. There a prism that has lost one edge is a pyramid, and
- * one that has lost two a tetrahedron. By this the grid conforms: faces are shared by two cells.
+ * them: in gaps to a third of the width, where the wall is bent inward, and in sharp corners. Along
+ * planar parts of the rest of the boundary, such as inlets, they go on with full height: quads are
+ * there at the wall, and the triangles behind get narrower in their plane. The rest stays, too,
+ * where it is not planar. Layers end there, with height 0, and at faces between regions, at edges
+ * between tags of one plane, and where no direction leads away from all triangles of a point. A
+ * prism that has lost one edge is a pyramid, and one that has lost two a tetrahedron. By this the
+ * grid conforms: faces are shared by two cells.
  *
  * Every cell is positive at its corners, by exact predicates: a tetrahedron has a positive volume,
  * and so have the corners of prisms and pyramids with the three edges there. The layers cross
@@ -29,8 +32,11 @@
  * SecondsLayers. The quality of cells is that of the tetrahedra behind. A warning gives the share
  * of the wall with full height, unless it is 1.
  *
+ * The second output is the boundary of this grid, if one is given: its triangles, and each quad as
+ * two, with the data of a triangle of the same part. vtkSolidWriter writes quads.
+ *
  * Errors, which name the culprit (an unknown tag, a cell that is no linear tetrahedron, a triangle
- * that is no face), leave the output empty.
+ * that is no face), leave the outputs empty.
  *
  * @sa vtkRefineTetrahedra
  */
@@ -87,11 +93,15 @@ public:
   void SetBoundaryData(vtkPolyData* boundary);
   ///@}
 
+  /** The second output: the boundary of the solid with layers, where a boundary was given. */
+  vtkPolyData* GetBoundary();
+
 protected:
   vtkBoundaryLayers();
   ~vtkBoundaryLayers() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,

@@ -245,11 +245,35 @@ std::vector<Triangle> ReadTriangles(vtkPolyData* boundary)
   return corners;
 }
 
+/** Leave away the second half of each quad of layers. */
+void KeepQuadsOnce(SolidMesh& solid)
+{
+  std::vector<char> isSeen(5 * solid.NumberOfCells(), 0);
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < solid.Faces.size() && solid.HasLayers(); ++f)
+  {
+    const CellFace face = solid.Faces[f];
+    char& seen = isSeen[5 * static_cast<std::size_t>(face.Cell) + face.Face];
+    if (!IsQuad(solid, face) || seen == 0)
+    {
+      solid.TagOfFace[kept] = solid.TagOfFace[f];
+      solid.Faces[kept++] = face;
+    }
+    seen = 1;
+  }
+  if (solid.HasLayers())
+  {
+    solid.Faces.resize(kept);
+    solid.TagOfFace.resize(kept);
+  }
+}
+
 void ReadBoundary(vtkPolyData* boundary, SolidMesh& solid)
 {
   const std::vector<Point> points = ReadPoints(boundary, "the boundary");
   solid.Faces = FacesOfTriangles(solid, points, ReadTriangles(boundary));
   solid.TagOfFace = ReadNumbers(boundary, "BoundaryTag", 0);
+  KeepQuadsOnce(solid);
   const std::vector<std::string> names =
     NamesByNumber(boundary->GetFieldData(), "BoundaryTagNames");
   solid.Tags = MakeGroups(solid.TagOfFace,

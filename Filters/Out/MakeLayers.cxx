@@ -8,6 +8,7 @@
 #include "Data/Attributes.h"
 #include "GraphCut/ConnectCells.h"
 #include "In/ReadSolid.h"
+#include "Out/BoundaryWithLayers.h"
 #include "Out/MakeOutputs.h"
 #include "Out/MixInCells.h"
 #include "Quality/QualityOfMesh.h"
@@ -59,33 +60,29 @@ std::vector<bool> WallTags(const SolidMesh& solid, const std::vector<std::string
   return isWall;
 }
 
-/** The faces of the wall in a mesh whose cells may be turned, each once, and how many triangles are
- * between regions. */
-std::vector<Id> WallFaces(const SolidMesh& solid, const TetrahedralMesh& mesh,
-  const std::vector<bool>& isWall, std::size_t& between)
+/** The faces of a solid in a mesh whose cells may be turned, 4 * cell + face. */
+std::vector<Id> FacesIn(const TetrahedralMesh& mesh, const SolidMesh& solid)
 {
   std::vector<Id> faces;
-  for (std::size_t f = 0; f < solid.Faces.size(); ++f)
+  for (const auto& [cell, k] : solid.Faces)
   {
-    if (!isWall[solid.TagOfFace[f]])
-    {
-      continue;
-    }
-    const Id cell = solid.Faces[f].Cell;
-    const int k = solid.Faces[f].Face;
     // ConnectCells says which faces of turned cells change places.
     const int face = mesh.Cells[cell] != solid.Cells[cell] && (k == 0 || k == 3) ? 3 - k : k;
-    if (mesh.Neighbors[cell][face] == None)
-    {
-      faces.push_back(4 * cell + face);
-    }
-    else
-    {
-      ++between;
-    }
+    faces.push_back(4 * cell + face);
   }
-  SortUniquely(faces);
   return faces;
+}
+
+/** The tag of each face of each cell, from 1; 0 without one. */
+std::vector<std::array<Id, 4>> TagsOfFaces(
+  const TetrahedralMesh& mesh, const SolidMesh& solid, const std::vector<Id>& faces)
+{
+  std::vector<std::array<Id, 4>> tags(mesh.Cells.size(), { { 0, 0, 0, 0 } });
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    tags[faces[f] / 4][faces[f] % 4] = 1 + solid.TagOfFace[f];
+  }
+  return tags;
 }
 
 template <std::size_t Size>
@@ -168,15 +165,32 @@ Layering MakeLayers(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   }
   const TetrahedralMesh mesh = ConnectCells(solid.Points, solid.Cells);
   Layering result;
+  const std::vector<Id> faces = FacesIn(mesh, solid);
+  const std::vector<bool> isWall = WallTags(solid, tags);
+  std::vector<char> isLayered(faces.size(), 0);
+  std::vector<Id> wall;
   std::size_t between = 0;
-  const std::vector<Id> wall = WallFaces(solid, mesh, WallTags(solid, tags), between);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const bool isOuter = mesh.Neighbors[faces[f] / 4][faces[f] % 4] == None;
+    if (isWall[solid.TagOfFace[f]] && isOuter)
+    {
+      isLayered[f] = 1;
+      wall.push_back(faces[f]);
+    }
+    between += isWall[solid.TagOfFace[f]] && !isOuter ? 1 : 0;
+  }
+  SortUniquely(wall);
   if (between > 0)
   {
     result.Warnings.push_back(
       std::to_string(between) + " triangles of the wall are between regions and get no layers");
   }
-  const LayeredMesh made = MakeBoundaryLayers(mesh, solid.RegionOfCell, wall, parameters, monitor);
+  const LayeredMesh made = MakeBoundaryLayers(
+    mesh, solid.RegionOfCell, wall, TagsOfFaces(mesh, solid, faces), parameters, monitor);
   result.Grid = MakeGrid(made);
+  result.Boundary = boundary ? BoundaryWithLayers(boundary, { mesh, faces, isLayered, made })
+                             : vtkSmartPointer<vtkPolyData>::New();
   Attributes::MixPointData(grid,
     MixInCells(mesh, made.Points, made.OriginalPoints, made.CellsOfPoints), {},
     result.Grid->GetPointData(), result.Warnings);

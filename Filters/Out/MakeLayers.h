@@ -19,6 +19,7 @@ namespace vtkInsideOut
 struct Layering
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  vtkSmartPointer<vtkPolyData> Boundary; ///< without a boundary none
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
 };

@@ -23,8 +23,7 @@ class Layers(CommandLine):
         self.box = self.file("box.obj", BOX)
 
     def layered(self, **more):
-        with self.assertWarns(insideout.Warning):  # they end at inlet and outlet
-            return insideout.tetrahedralize(self.box, **{**REMESHED, **LAYERS, **more})
+        return insideout.tetrahedralize(self.box, **{**REMESHED, **LAYERS, **more})
 
     def test_prisms_behind_the_wall(self):
         result = self.layered()
@@ -32,18 +31,51 @@ class Layers(CommandLine):
         self.assertIsInstance(solid, insideout.LayeredCells)
         prisms = solid.cells["wedge"]
         self.assertEqual(len(prisms), statistics["Prisms"])
-        self.assertEqual(len(solid.cells["pyramid"]), statistics["Pyramids"])
+        self.assertNotIn("pyramid", solid.cells)
         self.assertEqual(set(solid.layer), {0, 1, 2, 3})
-        self.assertGreater(statistics["FullHeightShare"], 0.5)
-        self.assertLess(statistics["FullHeightShare"], 1)
+        self.assertEqual((statistics["FullHeightShare"], statistics["Pyramids"], statistics["BarePoints"]), (1, 0, 0))
         heights = np.linalg.norm(solid.points[prisms[:, 3:]] - solid.points[prisms[:, :3]], axis=2)
         self.assertAlmostEqual(np.median(heights[solid.layer[-len(prisms) :] == 1]), 0.02, delta=0.002)
         # The wall is that of the solid without layers, bit by bit.
         plain = insideout.tetrahedralize(self.box, **REMESHED)
-        np.testing.assert_array_equal(result.boundary.points, plain.boundary.points)
-        np.testing.assert_array_equal(result.boundary.triangles, plain.boundary.triangles)
-        places = {tuple(place) for place in solid.points}
-        self.assertTrue(all(tuple(place) in places for place in result.boundary.points))
+        np.testing.assert_array_equal(self.places_of(result, "wall"), self.places_of(plain, "wall"))
+
+    def places_of(self, result, tag):
+        chosen = result.boundary.cell_arrays["BoundaryTag"] == ("inlet", "outlet", "wall").index(tag)
+        return result.boundary.points[result.boundary.triangles[chosen]]
+
+    def test_they_go_on_along_inlet_and_outlet(self):
+        result = self.layered()
+        boundary = result.boundary
+        self.assertTrue(boundary.is_watertight)
+        self.assertAlmostEqual(boundary.volume, 24, places=9)
+        for tag, height in (("inlet", 0), ("outlet", 4)):
+            places = self.places_of(result, tag)
+            self.assertEqual(set(places[:, :, 2].flat), {height})
+            areas = np.linalg.norm(np.cross(places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]), axis=1) / 2
+            self.assertAlmostEqual(areas.sum(), 6, places=9)
+            inner = places[(np.abs(places[:, :, 0] - 1) < 1 - 0.05).all(axis=1)]
+            self.assertGreater(len(inner), 0)
+        # Every triangle of the boundary is a face of the grid, or half of one.
+        grid = {frozenset(map(tuple, result.solid.points[list(face)])) for face in self.faces_of_one_cell(result.solid)}
+        halves = [set(map(tuple, boundary.points[triangle])) for triangle in boundary.triangles]
+        self.assertTrue(all(any(half <= face for face in grid) for half in halves[:: max(1, len(halves) // 50)]))
+        self.assertEqual(sum(len(face) - 2 for face in grid), len(halves))
+
+    def faces_of_one_cell(self, solid):
+        sides = {
+            "tetra": ((0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3)),
+            "pyramid": ((0, 1, 2, 3), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)),
+            "wedge": ((0, 1, 2), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)),
+        }
+        faces = {}
+        for kind, cells in solid.cells.items():
+            for cell in cells:
+                for side in sides[kind]:
+                    face = frozenset(int(cell[k]) for k in side)
+                    faces[face] = faces.get(face, 0) + 1
+        self.assertLessEqual(max(faces.values()), 2)
+        return [face for face, count in faces.items() if count == 1]
 
     def test_measures_of_tetrahedra_are_refused_or_those_of_the_boundary(self):
         result = self.layered()
@@ -96,7 +128,7 @@ class Layers(CommandLine):
         ran = run_here("mesh", self.box, self.output, *options)
         self.assertEqual(ran.returncode, 0, ran.stderr)
         self.assertRegex(ran.stdout, r"  layers of [\d,]+ prisms, [\d,]+ pyramids and [\d,]+ tetrahedra")
-        self.assertRegex(ran.stderr + ran.stdout, "% of the wall have layers of full height")
+        self.assertIn("100 % of the wall at full height", ran.stdout)
         self.assertIn(13, {read_grid(self.output).GetCellType(c) for c in range(read_grid(self.output).GetNumberOfCells())})
         self.assertNotEqual(run_here("mesh", self.box, self.path("a.stl"), *options).returncode, 0)
 
@@ -106,14 +138,14 @@ class Layers(CommandLine):
         checked = insideout.check_solid(result.solid)
         statistics = checked.statistics
         self.assertIsInstance(checked.solid, insideout.LayeredCells)
-        for name in ("Prisms", "Pyramids", "RefusedCells", "PoorCells"):
+        for name in ("Prisms", "RefusedCells", "PoorCells"):
             self.assertEqual(statistics[name], made[name], name)
         self.assertEqual(statistics["Cells"], result.solid.GetNumberOfCells())
         self.assertEqual(statistics["NegativeCells"] + statistics["FlatCells"] + statistics["ContactPairs"], 0)
         self.assertEqual(statistics["Conforms"], 1)
         self.assertEqual(statistics["BoundaryComponents"], 1)
         self.assertEqual(set(checked.solid.cell_arrays["Orientation"]), {1})
-        self.assertRegex(checked.verdict, r"^[\d,]+ tetrahedra, [\d,]+ pyramids and [\d,]+ prisms in 1 part, conforming, the boundary watertight; all positive$")
+        self.assertRegex(checked.verdict, r"^[\d,]+ tetrahedra and [\d,]+ prisms in 1 part, conforming, the boundary watertight; all positive$")
         path = self.path("layered.vtu")
         insideout.write(result, path)
         ran = run_here("check", path)
@@ -134,10 +166,12 @@ class Layers(CommandLine):
     def test_files_of_solvers_hold_them(self):
         result = self.layered()
         counts = {name: len(cells) for name, cells in result.solid.cells.items()}
+        quads = sum(len(face) == 4 for face in self.faces_of_one_cell(result.solid))
+        self.assertGreater(quads, 0)
         for ending, words in (
-            (".msh", ("\n3 1 6 ", "\n3 1 7 ")),
-            (".mesh", (f"Prisms\n{counts['wedge']}\n", f"Pyramids\n{counts['pyramid']}\n")),
-            (".inp", ("TYPE=C3D6",)),
+            (".msh", ("\n3 1 6 ", "\n2 1 3 ")),
+            (".mesh", (f"Prisms\n{counts['wedge']}\n", f"Quadrilaterals\n{quads}\n")),
+            (".inp", ("TYPE=C3D6", ", S3\n")),
         ):
             path = self.path("solid" + ending)
             insideout.write(result, path)

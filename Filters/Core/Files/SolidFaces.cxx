@@ -55,28 +55,32 @@ using FacesByCorners = std::unordered_map<Triangle, std::array<CellFace, 2>, Has
 
 constexpr std::array<CellFace, 2> NoFaces = { { { None, 0 }, { None, 0 } } };
 
-/** The triangles of pyramids and prisms. @param[in] names ids of their points in the table */
+/** The triangles of pyramids and prisms, and the halves of their quads, cut both ways.
+ * @param[in] names ids of their points in the table */
 FacesByCorners FacesOfLayers(const SolidMesh& solid, const std::vector<Id>& names)
 {
   FacesByCorners faces;
-  const auto add = [&](Id cell, int count)
+  const auto add = [&](const CellFace& from, const Triangle& corners)
   {
-    for (int k = 0; k < count; ++k)
-    {
-      Triangle corners = TriangleOfLayer(solid, { cell, k });
-      for (Id& corner : corners)
-      {
-        corner = names[corner];
-      }
-      const SortedTriangle sorted(corners);
-      CellFace& face = faces.emplace(sorted.Points, NoFaces).first->second[sorted.Turned ? 1 : 0];
-      face = face.Cell == None ? CellFace{ cell, k } : face;
-    }
+    const SortedTriangle sorted(
+      Triangle{ { names[corners[0]], names[corners[1]], names[corners[2]] } });
+    CellFace& face = faces.emplace(sorted.Points, NoFaces).first->second[sorted.Turned ? 1 : 0];
+    face = face.Cell == None ? from : face;
   };
-  const std::size_t pyramids = solid.Cells.size() + solid.Pyramids.size();
-  for (std::size_t c = solid.Cells.size(); c < solid.NumberOfCells(); ++c)
+  for (auto c = static_cast<Id>(solid.Cells.size()); c < static_cast<Id>(solid.NumberOfCells());
+       ++c)
   {
-    add(static_cast<Id>(c), c < pyramids ? 4 : 2);
+    for (int k = 0; k < FacesOfLayerCell; ++k)
+    {
+      const std::array<Id, 4> f = FaceOfLayer(solid, { c, k });
+      add({ c, k }, { { f[0], f[1], f[2] } });
+      if (f[3] != None)
+      {
+        add({ c, k }, { { f[0], f[2], f[3] } });
+        add({ c, k }, { { f[0], f[1], f[3] } });
+        add({ c, k }, { { f[1], f[2], f[3] } });
+      }
+    }
   }
   return faces;
 }
@@ -167,17 +171,31 @@ CellFace FaceBehind(const FaceTable::Range& entries, const std::array<CellFace, 
 }
 } // namespace
 
-Triangle TriangleOfLayer(const SolidMesh& solid, const CellFace& face)
+std::array<Id, 4> FaceOfLayer(const SolidMesh& solid, const CellFace& face)
 {
+  const int k = face.Face;
   const std::size_t other = static_cast<std::size_t>(face.Cell) - solid.Cells.size();
   if (other < solid.Pyramids.size())
   {
-    const auto& corners = solid.Pyramids[other];
-    return { { corners[face.Face], corners[(face.Face + 1) % 4], corners[4] } };
+    const Pyramid& p = solid.Pyramids[other];
+    return k == 4 ? std::array<Id, 4>{ { p[3], p[2], p[1], p[0] } }
+                  : std::array<Id, 4>{ { p[k], p[(k + 1) % 4], p[4], None } };
   }
-  const auto& corners = solid.Prisms[other - solid.Pyramids.size()];
-  return face.Face == 0 ? Triangle{ { corners[0], corners[1], corners[2] } }
-                        : Triangle{ { corners[3], corners[5], corners[4] } };
+  const Prism& p = solid.Prisms[other - solid.Pyramids.size()];
+  if (k < 2)
+  {
+    return k == 0 ? std::array<Id, 4>{ { p[0], p[1], p[2], None } }
+                  : std::array<Id, 4>{ { p[3], p[5], p[4], None } };
+  }
+  const int first = k - 2;
+  const int second = (k - 1) % 3;
+  return { { p[first], p[first + 3], p[second + 3], p[second] } };
+}
+
+bool IsQuad(const SolidMesh& solid, const CellFace& face)
+{
+  return static_cast<std::size_t>(face.Cell) >= solid.Cells.size() &&
+    FaceOfLayer(solid, face)[3] != None;
 }
 
 void CheckCells(const SolidMesh& solid)

@@ -10,8 +10,9 @@
 
 namespace insideout
 {
-/** A triangle of a cell: of a tetrahedron as TetrahedronFaces has it; of a pyramid the one at
- * corners Face and Face + 1 of its base; of a prism its first or second one. */
+/** A face of a cell: of a tetrahedron as TetrahedronFaces has it; of a pyramid the triangle at
+ * corners Face and Face + 1 of its base, then the base; of a prism its first or second triangle,
+ * then the quads at its edges 0 to 1, 1 to 2 and 2 to 0. */
 struct CellFace
 {
   Id Cell;

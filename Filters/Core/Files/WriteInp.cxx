@@ -33,9 +33,9 @@ constexpr std::size_t NumbersInLine = 10;
  * and 4, S4 of 1, 3 and 4. */
 constexpr std::array<int, 4> NumbersOfFaces = { 2, 3, 4, 1 };
 
-/** The numbers in C3D6 of the triangles of prisms and pyramids. */
-constexpr std::array<int, 2> NumbersOfPrismFaces = { 2, 1 };
-constexpr std::array<int, 4> NumbersOfPyramidFaces = { 2, 5, 1, 3 };
+/** The numbers in C3D6 of the faces of prisms and pyramids. */
+constexpr std::array<int, 5> NumbersOfPrismFaces = { 2, 1, 3, 4, 5 };
+constexpr std::array<int, 5> NumbersOfPyramidFaces = { 2, 5, 1, 3, 4 };
 
 /** The number of a face at a cell. */
 int NumberOfFace(const SolidMesh& solid, const CellFace& face)

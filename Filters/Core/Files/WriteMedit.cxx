@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Files/GroupNames.h"
+#include "Files/SolidFaces.h"
 #include "Files/SolidWriters.h"
 
 #include <algorithm>
@@ -78,11 +79,21 @@ void WriteMedit(OutputFile& file, const SolidMesh& solid)
     WriteOrdering(file, "TetrahedraP2Ordering", 4, TetrahedronEdges);
   }
   const std::string order = IsQuadratic(solid) ? "P2\n" : "\n";
-  file.Text("Triangles" + order + std::to_string(solid.Faces.size()) + "\n");
-  for (std::size_t f = 0; f < solid.Faces.size(); ++f)
+  const auto writeFaces = [&](const std::string& section, bool areQuads)
   {
-    WriteElement(file, NodesOf(solid, solid.Faces[f]), solid.Tags[solid.TagOfFace[f]]);
-  }
+    const auto isWritten = [&](const CellFace& face) { return IsQuad(solid, face) == areQuads; };
+    const auto count = std::count_if(solid.Faces.begin(), solid.Faces.end(), isWritten);
+    file.Text(count > 0 || !areQuads ? section + std::to_string(count) + "\n" : "");
+    for (std::size_t f = 0; f < solid.Faces.size(); ++f)
+    {
+      if (isWritten(solid.Faces[f]))
+      {
+        WriteElement(file, NodesOf(solid, solid.Faces[f]), solid.Tags[solid.TagOfFace[f]]);
+      }
+    }
+  };
+  writeFaces("Triangles" + order, false);
+  writeFaces("Quadrilaterals\n", true);
   file.Text("Tetrahedra" + order + std::to_string(solid.Cells.size()) + "\n");
   for (std::size_t c = 0; c < solid.Cells.size(); ++c)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Common/FaceTable.h"
 #include "Files/GroupNames.h"
+#include "Files/SolidFaces.h"
 #include "Files/SolidWriters.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace
 constexpr int SurfaceDimension = 2;
 constexpr int VolumeDimension = 3;
 constexpr int TypeOfTriangle = 2;
+constexpr int TypeOfQuad = 3;
 constexpr int TypeOfTetrahedron = 4;
 constexpr int TypeOfPrism = 6;
 constexpr int TypeOfPyramid = 7;
@@ -26,9 +28,11 @@ constexpr int TypeOfQuadraticTetrahedron = 11;
 /** Gmsh reads lines of 127 bytes; a blank and quotes surround the name. */
 constexpr NameRules NamesOfMsh = { 100, false, true };
 
-int TypeOfFaces(const SolidMesh& solid)
+int TypeOfFace(const SolidMesh& solid, std::size_t face)
 {
-  return IsQuadratic(solid) ? TypeOfQuadraticTriangle : TypeOfTriangle;
+  return IsQuad(solid, solid.Faces[face]) ? TypeOfQuad
+    : IsQuadratic(solid)                  ? TypeOfQuadraticTriangle
+                                          : TypeOfTriangle;
 }
 
 int TypeOfCell(const SolidMesh& solid, std::size_t cell)
@@ -240,47 +244,59 @@ void WritePointsByEntity(OutputFile& file, const SolidMesh& solid)
   file.Text("$EndNodes\n");
 }
 
+/** Visit the runs of elements of one group and type, which is a block there. */
+template <typename TypeOf, typename Visit>
+void ForEachBlock(const Buckets<Id>& groups, const TypeOf& typeOf, const Visit& visit)
+{
+  for (std::size_t group = 0; group < groups.Size(); ++group)
+  {
+    const auto elements = groups[group];
+    for (const Id* first = elements.begin(); first != elements.end();)
+    {
+      const int type = typeOf(static_cast<std::size_t>(*first));
+      const Id* const last = std::find_if(first, elements.end(),
+        [&](Id element) { return typeOf(static_cast<std::size_t>(element)) != type; });
+      visit(group, type, first, last);
+      first = last;
+    }
+  }
+}
+
 void WriteElementsByEntity(OutputFile& file, const SolidMesh& solid)
 {
   const Buckets<Id> faces = ByGroup(solid.Tags.size(), solid.TagOfFace);
   const Buckets<Id> cells = ByGroup(solid.Regions.size(), solid.RegionOfCell);
-  const auto typeOf = [&](Id cell) { return TypeOfCell(solid, static_cast<std::size_t>(cell)); };
+  const auto typeOfFace = [&](std::size_t face) { return TypeOfFace(solid, face); };
+  const auto typeOfCell = [&](std::size_t cell) { return TypeOfCell(solid, cell); };
   const std::size_t elements = solid.Faces.size() + solid.NumberOfCells();
   file.Text("$Elements\n");
-  std::size_t blocks = solid.Tags.size();
-  for (std::size_t r = 0; r < solid.Regions.size(); ++r)
-  {
-    for (const Id* cell = cells[r].begin(); cell != cells[r].end(); ++cell)
-    {
-      blocks += cell == cells[r].begin() || typeOf(cell[0]) != typeOf(cell[-1]) ? 1 : 0;
-    }
-  }
+  std::size_t blocks = 0;
+  const auto count = [&](std::size_t, int, const Id*, const Id*) { ++blocks; };
+  ForEachBlock(faces, typeOfFace, count);
+  ForEachBlock(cells, typeOfCell, count);
   WriteLine(file, blocks, elements, 1, elements);
-  for (std::size_t t = 0; t < solid.Tags.size(); ++t)
-  {
-    WriteLine(file, SurfaceDimension, solid.Tags[t].Number, TypeOfFaces(solid), faces[t].Size());
-    for (const Id face : faces[t])
+  ForEachBlock(faces, typeOfFace,
+    [&](std::size_t tag, int type, const Id* first, const Id* last)
     {
-      file.Decimal(std::int64_t(face) + 1);
-      WriteNumbers(file, NodesOf(solid, solid.Faces[face]));
-      file.Text("\n");
-    }
-  }
-  for (std::size_t r = 0; r < solid.Regions.size(); ++r)
-  {
-    for (const Id* first = cells[r].begin(); first != cells[r].end();)
+      WriteLine(file, SurfaceDimension, solid.Tags[tag].Number, type, last - first);
+      for (; first != last; ++first)
+      {
+        file.Decimal(std::int64_t(*first) + 1);
+        WriteNumbers(file, NodesOf(solid, solid.Faces[*first]));
+        file.Text("\n");
+      }
+    });
+  ForEachBlock(cells, typeOfCell,
+    [&](std::size_t region, int type, const Id* first, const Id* last)
     {
-      const Id* const last = std::find_if(
-        first, cells[r].end(), [&](Id cell) { return typeOf(cell) != typeOf(*first); });
-      WriteLine(file, VolumeDimension, solid.Regions[r].Number, typeOf(*first), last - first);
+      WriteLine(file, VolumeDimension, solid.Regions[region].Number, type, last - first);
       for (; first != last; ++first)
       {
         file.Decimal(solid.Faces.size() + static_cast<std::size_t>(*first) + 1);
         WriteNumbers(file, MshNodesOf(solid, static_cast<std::size_t>(*first)));
         file.Text("\n");
       }
-    }
-  }
+    });
   file.Text("$EndElements\n");
 }
 
@@ -324,7 +340,7 @@ void WriteMsh22(OutputFile& file, const SolidMesh& solid)
   WriteLine(file, solid.Faces.size() + solid.NumberOfCells());
   for (std::size_t f = 0; f < solid.Faces.size(); ++f)
   {
-    BeginElement(file, f + 1, TypeOfFaces(solid), solid.Tags[solid.TagOfFace[f]]);
+    BeginElement(file, f + 1, TypeOfFace(solid, f), solid.Tags[solid.TagOfFace[f]]);
     WriteNumbers(file, NodesOf(solid, solid.Faces[f]));
     file.Text("\n");
   }

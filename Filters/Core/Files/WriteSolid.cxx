@@ -63,7 +63,7 @@ void CheckSolid(const SolidMesh& solid)
   {
     if (face.Cell < 0 || static_cast<std::size_t>(face.Cell) >= cells || face.Face < 0 ||
       face.Face >=
-        (ShapeOfCell(solid, static_cast<std::size_t>(face.Cell)) == CellShape::Prism ? 2 : 4))
+        (static_cast<std::size_t>(face.Cell) < solid.Cells.size() ? 4 : FacesOfLayerCell))
     {
       Refuse("there is no face " + std::to_string(face.Face) + " of cell " +
         std::to_string(face.Cell) + " of " + std::to_string(cells));
@@ -122,9 +122,9 @@ SolidNodes NodesOf(const SolidMesh& solid, const CellFace& face)
   const auto cell = static_cast<std::size_t>(face.Cell);
   if (ShapeOfCell(solid, cell) != CellShape::Tetrahedron)
   {
-    const Triangle triangle = TriangleOfLayer(solid, face);
-    std::copy(triangle.begin(), triangle.end(), nodes.Ids.begin());
-    nodes.Count = 3;
+    const std::array<Id, 4> corners = FaceOfLayer(solid, face);
+    std::copy(corners.begin(), corners.end(), nodes.Ids.begin());
+    nodes.Count = corners[3] == None ? 3 : 4;
     return nodes;
   }
   const std::array<int, 3>& corners = TetrahedronFaces[face.Face];

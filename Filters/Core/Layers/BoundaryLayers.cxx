@@ -8,6 +8,7 @@
 #include "Layers/LayerWall.h"
 #include "Layers/PushWall.h"
 #include "Layers/WallDirections.h"
+#include "Layers/WallRims.h"
 #include "Refine/CellShape.h"
 #include "Refine/ImproveCells.h"
 #include "Refine/LocateCells.h"
@@ -148,6 +149,7 @@ struct PushedSolid
   const std::vector<Id>& WallFaces; ///< of the input
   const RefinableMesh& Mesh;
   const LayerWall& Wall;
+  const std::vector<RimEdge>& Rim;
   const PushedWall& Pushed;
   const std::vector<double>& Fractions;
 };
@@ -173,6 +175,10 @@ public:
       this->AddColumn(this->Solid.Wall.Triangles[t], this->Solid.WallFaces[t] / 4);
     }
     this->JoinCells();
+    for (const RimEdge& edge : this->Solid.Rim)
+    {
+      this->AddSides(edge);
+    }
     this->Locate(monitor);
     return std::move(this->Result);
   }
@@ -221,6 +227,10 @@ private:
             None, this->Result.CellsOfPoints[this->Outer[p]]);
         }
       }
+    }
+    for (Id p = 0; p < given; ++p)
+    {
+      this->Result.PointsBeside.push_back(this->OnBorder(p, this->Layers));
     }
   }
 
@@ -279,6 +289,27 @@ private:
         this->Result.Tetrahedra.push_back({ { below(c), below(b), below(a), above(a) } });
         this->Result.OriginalCells.push_back(cell);
         this->Result.Layers.push_back(layer);
+      }
+    }
+  }
+
+  /** The quads along another facet, triangles where one end of the edge is not lifted. */
+  void AddSides(const RimEdge& edge)
+  {
+    for (Id layer = 1; layer <= this->Layers; ++layer)
+    {
+      const Id from = this->OnBorder(edge.From, layer - 1);
+      const Id to = this->OnBorder(edge.To, layer - 1);
+      const Id fromAbove = this->OnBorder(edge.From, layer);
+      const Id toAbove = this->OnBorder(edge.To, layer);
+      if (from != fromAbove && to != toAbove)
+      {
+        this->Result.Sides.push_back({ { { from, fromAbove, toAbove, to } }, edge.Face });
+      }
+      else if (from != fromAbove || to != toAbove)
+      {
+        const Id above = from != fromAbove ? fromAbove : toAbove;
+        this->Result.Sides.push_back({ { { from, above, to, None } }, edge.Face });
       }
     }
   }
@@ -388,15 +419,15 @@ void AppendShares(const std::vector<double>& shares, const LayerWall& wall,
 }
 
 LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  const std::vector<Id>& wallFaces, const LayerParameters& parameters, Monitor& caller)
+  const std::vector<Id>& wallFaces, const std::vector<std::array<Id, 4>>& labels,
+  const LayerParameters& parameters, Monitor& caller)
 {
   ForwardMonitor monitor(caller);
   monitor.Check(Stages::Layering, 0);
-  const std::vector<FacetOfInput> facets = FacetsOf(mesh, regions, {});
+  const std::vector<FacetOfInput> facets = FacetsOf(mesh, regions, labels);
   RefinableMesh refinable = MakeRefinable(mesh, regions, facets);
   const std::vector<char> locked;
-  RefinableSurface surface(refinable, facets, locked, SurfaceTreatment::Kept, 0);
-  SurfaceBound bound(refinable, facets, SurfaceTreatment::Kept, 0);
+  RefinableSurface surface(refinable, facets, locked, SurfaceTreatment::Split, 0);
   SizingParameters lengthsNow;
   lengthsNow.Lengths = LengthsOf(mesh);
   SizingField sizes(refinable, lengthsNow);
@@ -408,10 +439,15 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
   }
   const LayerWall wall(mesh.Points.size(), std::move(triangles));
   CheckSize(mesh, wall, parameters.Layers);
-  const std::vector<WallDirection> directions = FindWallDirections(mesh.Points, wall);
+  const WallRims rims = FindWallRims(mesh, facets, surface, wallFaces, wall);
+  for (const Id point : rims.PointsInPlanes)
+  {
+    refinable.Kinds[point] = PointKind::InFacet;
+  }
+  const std::vector<WallDirection> directions =
+    FindWallDirections(mesh.Points, wall, rims.AtPoints);
   const double height = HeightOfAll(parameters);
-  const std::vector<double> lengths =
-    LimitHeights(refinable, wall, directions, HeldPoints(refinable, surface, wall), height);
+  const std::vector<double> lengths = LimitHeights(refinable, wall, directions, height);
   const std::vector<double> fractions = FractionsOfLayers(parameters.Layers, parameters.Growth);
 
   PushedWall pushed(refinable, { wall, directions, lengths, fractions });
@@ -424,10 +460,12 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
     }
     const ProgressRange range = { Stages::Layering, 0.9 * round / MostRounds,
       0.9 * (round + 1) / MostRounds };
+    SurfaceBound bound(refinable, facets, SurfaceTreatment::Split, 0); // of the wall as it is now
     ImproveCells(refinable, surface, bound, sizes, monitor, range, before);
   }
 
-  const PushedSolid solid = { mesh, regions, wallFaces, refinable, wall, pushed, fractions };
+  const PushedSolid solid = { mesh, regions, wallFaces, refinable, wall, rims.Edges, pushed,
+    fractions };
   LayeredMesh result = LayeredMeshMaker(solid).Make(monitor);
   const std::size_t ofLayers = result.Tetrahedra.size() - result.NumberOfCellsBehind;
   result.Statistics = { { "Layers", parameters.Layers }, { "Prisms", result.Prisms.size() },
@@ -439,13 +477,14 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
 } // namespace
 
 LayeredMesh MakeBoundaryLayers(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  const std::vector<Id>& wall, const LayerParameters& parameters, Monitor& monitor)
+  const std::vector<Id>& wall, const std::vector<std::array<Id, 4>>& labels,
+  const LayerParameters& parameters, Monitor& monitor)
 {
   CheckParameters(mesh, regions, wall, parameters);
   const int exponent = LargestExponent(mesh.Points);
   if (std::abs(exponent) <= LargestOrdinaryExponent)
   {
-    return MakeNearUnitSize(mesh, regions, wall, parameters, monitor);
+    return MakeNearUnitSize(mesh, regions, wall, labels, parameters, monitor);
   }
   TetrahedralMesh scaled = mesh;
   scaled.Points = ScaledPoints(mesh.Points, -exponent);
@@ -453,7 +492,7 @@ LayeredMesh MakeBoundaryLayers(const TetrahedralMesh& mesh, const std::vector<Id
   LayerParameters other = parameters;
   other.FirstHeight =
     std::max(std::ldexp(parameters.FirstHeight, -exponent), std::numeric_limits<double>::min());
-  LayeredMesh result = MakeNearUnitSize(scaled, regions, wall, other, monitor);
+  LayeredMesh result = MakeNearUnitSize(scaled, regions, wall, labels, other, monitor);
   result.Points = ScaledPoints(result.Points, exponent);
   return result;
 }

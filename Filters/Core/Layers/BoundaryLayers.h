@@ -17,6 +17,14 @@ struct LayerParameters
   double Growth = 1.2;    ///< of a layer's height over that of the one before it
 };
 
+/** A face of layers beside their wall, on another facet. */
+struct LayerSide
+{
+  std::array<Id, 4>
+    Corners; ///< counter-clockwise seen from outside; the last is None of a triangle
+  Id Face;   ///< of the input, 4 * cell + face: one of the facet
+};
+
 /** A solid with layers of prisms at a wall, of pyramids where one edge has no length, and
  * tetrahedra behind. */
 struct LayeredMesh : LayerCells
@@ -26,6 +34,11 @@ struct LayeredMesh : LayerCells
   std::vector<Point> Points;
   std::vector<Id> OriginalPoints; ///< per point, that of the input; None for a new or moved one
   std::vector<Id> CellsOfPoints;  ///< per point, a cell of the input that holds it, or is near it
+
+  /** Per point of the input the one that other facets than the wall have in its place; None for
+   * one that is gone. At rims it is behind the layers. */
+  std::vector<Id> PointsBeside;
+  std::vector<LayerSide> Sides; ///< along other facets, between these and the wall
 
   /** Cells behind the layers first, then those of layers with two edges of no length. */
   std::vector<Tetrahedron> Tetrahedra;
@@ -42,9 +55,10 @@ struct LayeredMesh : LayerCells
 /**
  * Layers of prisms inside a part of the boundary, whose triangles stay bit by bit. At each of its
  * points all layers shrink alike where there is no room for them: in gaps, where the wall is bent,
- * beside the rest of the boundary and faces between regions to 0, so that no two layers meet. A
- * prism with an edge of no length is a pyramid, with two a tetrahedron. All other faces of the
- * boundary and between regions stay, too.
+ * beside faces between regions and the rest of the boundary to 0, so that no two layers meet. Along
+ * planar parts of the rest they go on (Sides), and its triangles there get narrower in their plane.
+ * A prism with an edge of no length is a pyramid, with two a tetrahedron. All other faces of the
+ * boundary and between regions stay.
  *
  * Every cell is positive at its corners, exactly (Orient), each inner face is of two cells, and
  * together they fill the solid. The same result for the same input, always.
@@ -57,9 +71,11 @@ struct LayeredMesh : LayerCells
  * @param[in] mesh of any solid, as good and as large cells as those behind the layers are to be
  * @param[in] regions one per cell; empty: all are one
  * @param[in] wall faces without a second cell, 4 * cell + face, each once
+ * @param[in] labels per face of each cell: planar parts of the boundary are of one; empty: all are
  * @throws Error InvalidParameter, for parameters out of range, another number of regions, and a
  *   face that is none, has a second cell or is there twice; TooLarge; Stopped
  */
 LayeredMesh MakeBoundaryLayers(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  const std::vector<Id>& wall, const LayerParameters& parameters, Monitor& monitor);
+  const std::vector<Id>& wall, const std::vector<std::array<Id, 4>>& labels,
+  const LayerParameters& parameters, Monitor& monitor);
 } // namespace insideout

@@ -23,6 +23,9 @@ constexpr double LeastShareOfEdge = 0.25;
  */
 constexpr double MostTimesHeight = 2;
 
+/** Cosine below which a way runs along a face, as it does in the planes of rims. */
+constexpr double LeastCosineThrough = 1e-5;
+
 /** A way through cells is a few; one among flat cells may turn in a circle by rounding. */
 constexpr int MostSteps = 2000;
 
@@ -73,7 +76,7 @@ double WayToFacet(const RefinableMesh& mesh, Id point, const std::vector<Id>& st
       const auto corners = CornersOf(mesh.Points, mesh.FaceCorners(cell, k));
       const Point normal = NormalOf(corners[0], corners[1], corners[2]); // inward
       const double along = Dot(normal, direction);
-      if (k == entry || isAtPoint || !(along < 0))
+      if (k == entry || isAtPoint || !(along < -LeastCosineThrough * Length(normal)))
       {
         continue;
       }
@@ -158,13 +161,13 @@ double LengthOfHeight(const WallDirection& direction, double height)
 }
 
 std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wall,
-  const std::vector<WallDirection>& directions, const std::vector<char>& isHeld, double height)
+  const std::vector<WallDirection>& directions, double height)
 {
   std::vector<double> lengths(mesh.Points.size(), 0);
   std::vector<Id> star;
   for (const Id p : wall.Points)
   {
-    if (isHeld[p] != 0 || directions[p].Cosine == 0)
+    if (directions[p].Cosine == 0)
     {
       continue;
     }

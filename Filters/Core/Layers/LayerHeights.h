@@ -18,8 +18,8 @@ double LengthOfHeight(const WallDirection& direction, double height);
 /**
  * How far layers may go from each point of a wall: as far as the height asks for, but at most a
  * third of the way to the facet ahead. Edges keep a quarter of their length, and neighbors are
- * graded. One value per point of the mesh, 0 at held points.
+ * graded. One value per point of the mesh, 0 where there is no direction.
  */
 std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wall,
-  const std::vector<WallDirection>& directions, const std::vector<char>& isHeld, double height);
+  const std::vector<WallDirection>& directions, double height);
 } // namespace insideout

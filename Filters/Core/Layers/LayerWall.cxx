@@ -3,9 +3,8 @@
 
 #include "Common/Edge.h"
 #include "Common/SortUniquely.h"
-#include "Common/SortedTriangle.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace insideout
 {
@@ -43,36 +42,5 @@ LayerWall::LayerWall(std::size_t points, std::vector<Triangle> triangles)
         visit(static_cast<std::size_t>(edge[1]), edge[0]);
       }
     });
-}
-
-std::vector<char> HeldPoints(
-  const RefinableMesh& mesh, const RefinableSurface& surface, const LayerWall& wall)
-{
-  std::vector<Triangle> sorted;
-  for (const Triangle& triangle : wall.Triangles)
-  {
-    sorted.push_back(SortedTriangle(triangle).Points);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<char> isHeld(mesh.Points.size(), 0);
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    const RefinableCell& cell = mesh.Cell(c);
-    for (int k = 0; k < 4; ++k)
-    {
-      const Triangle face = FaceAcross(cell.Corners, k);
-      const bool isWall = cell.Neighbors[k] == None &&
-        std::binary_search(sorted.begin(), sorted.end(), SortedTriangle(face).Points);
-      for (const Id corner : face)
-      {
-        isHeld[corner] |= cell.Facets[k] != None && !isWall ? 1 : 0;
-      }
-    }
-  }
-  for (const Id point : wall.Points)
-  {
-    isHeld[point] |= surface.IsPinched(point) ? 1 : 0;
-  }
-  return isHeld;
 }
 } // namespace insideout

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Common/Buckets.h"
-#include "Refine/RefinableSurface.h"
+#include "Common/Types.h"
 
 #include <vector>
 
@@ -19,11 +19,4 @@ struct LayerWall
   Buckets<Id> TrianglesAt;         ///< per point of the mesh
   Buckets<Id> NeighborsOf;         ///< per point of the mesh, those that share an edge of the wall
 };
-
-/**
- * The points of a wall that have to stay: those on other facets, and where the cells are not
- * connected through faces. One value per point of the mesh.
- */
-std::vector<char> HeldPoints(
-  const RefinableMesh& mesh, const RefinableSurface& surface, const LayerWall& wall);
 } // namespace insideout

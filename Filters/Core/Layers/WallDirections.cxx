@@ -27,11 +27,20 @@ Point Unit(const Point& vector)
                     : Point{ { 0, 0, 0 } };
 }
 
+/** 0 for one so short that its direction may be rounding: as long as the best cosine is the
+ * shortest in a hull of normals. */
+Point UnitUnlessShort(const Point& vector)
+{
+  return Length(vector) > LeastCosine ? Unit(vector) : Point{ { 0, 0, 0 } };
+}
+
 class Directions
 {
 public:
-  Directions(const std::vector<Point>& points, const LayerWall& wall)
+  Directions(
+    const std::vector<Point>& points, const LayerWall& wall, const std::vector<WallRim>& rims)
     : Wall(wall)
+    , Rims(rims)
     , All(points.size())
     , Best(points.size(), 0)
   {
@@ -44,9 +53,9 @@ public:
       std::vector<Point> around;
       for (const Id t : wall.TrianglesAt[p])
       {
-        around.push_back(this->Normals[t]);
+        around.push_back(rims[p].Along(this->Normals[t]));
       }
-      const Point way = Unit(ShortestInHull(around, StepsOfHull));
+      const Point way = UnitUnlessShort(ShortestInHull(around, StepsOfHull));
       this->Best[p] = this->CosineAt(p, way);
       if (this->Best[p] > LeastCosine)
       {
@@ -74,7 +83,7 @@ public:
           sum[k] += before[neighbor].Inward[k] / static_cast<double>(neighbors.Size());
         }
       }
-      const Point way = Unit(sum);
+      const Point way = UnitUnlessShort(this->Rims[p].Along(sum));
       const double cosine = this->CosineAt(p, way);
       if (cosine >= std::max(LeastCosine, LeastShareOfCosine * this->Best[p]))
       {
@@ -97,6 +106,7 @@ private:
   }
 
   const LayerWall& Wall;
+  const std::vector<WallRim>& Rims;
   std::vector<Point> Normals; ///< of the triangles, inward
   std::vector<WallDirection> All;
   std::vector<double> Best; ///< cosine
@@ -104,9 +114,9 @@ private:
 } // namespace
 
 std::vector<WallDirection> FindWallDirections(
-  const std::vector<Point>& points, const LayerWall& wall)
+  const std::vector<Point>& points, const LayerWall& wall, const std::vector<WallRim>& rims)
 {
-  Directions directions(points, wall);
+  Directions directions(points, wall, rims);
   for (int round = 0; round < Rounds; ++round)
   {
     directions.Smooth();

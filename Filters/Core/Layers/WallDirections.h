@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Layers/LayerWall.h"
+#include "Layers/WallRims.h"
 
 #include <vector>
 
@@ -16,9 +17,9 @@ struct WallDirection
 
 /**
  * One direction per point of the mesh, for those of the wall: the one whose least cosine with the
- * triangles' normals is largest (Aubry and Loehner 2008), smoothed along the wall as far as that
- * cosine allows.
+ * triangles' normals is largest (Aubry and Loehner 2008), of those along the planes of other facets
+ * at its point; smoothed along the wall as far as that cosine allows.
  */
 std::vector<WallDirection> FindWallDirections(
-  const std::vector<Point>& points, const LayerWall& wall);
+  const std::vector<Point>& points, const LayerWall& wall, const std::vector<WallRim>& rims);
 } // namespace insideout

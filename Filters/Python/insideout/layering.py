@@ -14,10 +14,10 @@ from .vtkFiltersInsideOut import vtkBoundaryLayers
 
 def layered(
     solid: vtkUnstructuredGrid, boundary: vtkPolyData, options: Options, progress: Optional[Progress] = None
-) -> tuple[vtkUnstructuredGrid, list[str]]:
-    """The solid with layers of prisms at its walls, and warnings. The boundary stays as it is."""
+) -> tuple[vtkUnstructuredGrid, vtkPolyData, list[str]]:
+    """The solid with layers of prisms at its walls, its boundary, and warnings."""
     maker = options.set_on(vtkBoundaryLayers(), LAYER_OPTIONS)
     maker.SetInputData(solid)
     maker.SetBoundaryData(boundary)
     warnings = in_words_of_python(run(maker, progress))
-    return maker.GetOutput(), warnings
+    return maker.GetOutput(), maker.GetBoundary(), warnings

@@ -213,7 +213,7 @@ def tetrahedralize(
     elif hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
     if makes_layers and solid.GetNumberOfCells() > 0:
-        solid, more = layered(solid, boundary, options, progress)
+        solid, boundary, more = layered(solid, boundary, options, progress)
         warnings += more
     for grid in (solid, hull):
         add_statistic("Scale", options.factor(), grid)

@@ -104,7 +104,9 @@ TEST(SolidFaces, OfLayersAreOfTheCellThatTheTriangleFacesAwayFrom)
   {
     for (const int face : { 0, 1 })
     {
-      triangles.push_back(TriangleOfLayer(solid, { cell, face }));
+      const std::array<Id, 4> corners = FaceOfLayer(solid, { cell, face });
+      EXPECT_EQ(corners[3], None);
+      triangles.push_back({ { corners[0], corners[1], corners[2] } });
       faces.push_back({ { cell, face } });
     }
   }
@@ -118,6 +120,12 @@ TEST(SolidFaces, OfLayersAreOfTheCellThatTheTriangleFacesAwayFrom)
   const Triangle& top = triangles[1];
   EXPECT_EQ(Pairs(FacesOfTriangles(solid, solid.Points, { { { top[1], top[0], top[2] } } })),
     (Faces{ { 2, 1 } }));
+  // A quad, however it is cut: points 0 and 1 are below 3 and 4.
+  EXPECT_EQ(Pairs(FacesOfTriangles(
+              solid, solid.Points, { { 0, 3, 4 }, { 0, 4, 1 }, { 0, 3, 1 }, { 3, 4, 1 } })),
+    (Faces{ { 1, 2 }, { 1, 2 }, { 1, 2 }, { 1, 2 } }));
+  EXPECT_TRUE(IsQuad(solid, { 1, 2 }));
+  EXPECT_FALSE(IsQuad(solid, { 1, 1 }));
 }
 
 TEST(SolidFaces, ThatAreNoneAreNamed)

@@ -399,6 +399,30 @@ SolidMesh WithLayers()
 }
 } // namespace
 
+TEST(WriteSolid, WritesQuadsOfLayers)
+{
+  // The prism's quad at its corners 0 and 1, and its first triangle; the pyramid has one at 1
+  // and 6.
+  SolidMesh solid = WithLayers();
+  solid.Faces = { { 2, 0 }, { 2, 2 } };
+  solid.TagOfFace = { 0, 0 };
+  const std::string old = Written(solid, "a.msh", MshVersion::Msh22);
+  EXPECT_NE(old.find("\n1 2 2 1 1 1 2 3\n2 3 2 1 1 1 4 5 2\n"), std::string::npos) << old;
+  const std::string text = Written(solid, "a.msh");
+  EXPECT_NE(
+    text.find("$Elements\n5 5 1 5\n2 1 2 1\n1 1 2 3\n2 1 3 1\n2 1 4 5 2\n"), std::string::npos)
+    << text;
+  const std::string medit = Written(solid, "a.mesh");
+  EXPECT_NE(medit.find("Triangles\n1\n 1 2 3 1\nQuadrilaterals\n1\n 1 4 5 2 1\nTetrahedra\n"),
+    std::string::npos)
+    << medit;
+  // C3D6's third face is at its corners 1 and 2, here 4 and 5; a pyramid's base is the fourth.
+  EXPECT_NE(Written(solid, "a.inp").find("TYPE=ELEMENT\n3, S2\n3, S3\n"), std::string::npos);
+  solid.Faces = { { 1, 4 } };
+  solid.TagOfFace = { 0 };
+  EXPECT_NE(Written(solid, "a.inp").find("TYPE=ELEMENT\n2, S4\n"), std::string::npos);
+}
+
 TEST(WriteSolid, WritesPrismsAndPyramidsOfLayers)
 {
   const SolidMesh solid = WithLayers();
@@ -430,8 +454,8 @@ TEST(WriteSolid, WritesPrismsAndPyramidsOfLayers)
   EXPECT_NE(inp.find("TYPE=ELEMENT\n3, S2\n2, S3\n1, S2\n"), std::string::npos) << inp;
 
   SolidMesh other = solid;
-  other.Faces[0].Face = 2;
-  ExpectError(other, ErrorCode::InvalidParameter, "no face 2 of cell 2");
+  other.Faces[0].Face = 5;
+  ExpectError(other, ErrorCode::InvalidParameter, "no face 5 of cell 2");
   other = solid;
   other.Prisms[0][5] = 9;
   ExpectError(other, ErrorCode::PointOutOfRange, "refers to point 9 of 8");

@@ -16,6 +16,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 
 using namespace insideout;
 
@@ -93,8 +94,8 @@ double VolumeOf(const std::vector<Point>& points, const std::vector<Face>& faces
   return volume;
 }
 
-/** Faces by the places of their corners, of one cell or between regions. */
-std::vector<std::vector<Point>> Surface(const std::vector<Point>& points,
+/** Faces by their corners: those of one cell, and between regions. */
+std::vector<Face> Surface(
   const std::vector<std::vector<Face>>& cells, const std::vector<Id>& regions)
 {
   std::map<Face, std::vector<std::size_t>> cellsOf;
@@ -106,20 +107,60 @@ std::vector<std::vector<Point>> Surface(const std::vector<Point>& points,
       cellsOf[face].push_back(c);
     }
   }
-  std::vector<std::vector<Point>> surface;
+  std::vector<Face> surface;
   for (const auto& [face, around] : cellsOf)
   {
     EXPECT_LE(around.size(), 2U);
     if (around.size() == 1 || (!regions.empty() && regions[around[0]] != regions[around[1]]))
     {
-      EXPECT_EQ(face.size(), 3U);
-      surface.emplace_back();
-      for (const Id p : face)
-      {
-        surface.back().push_back(points[p]);
-      }
-      std::sort(surface.back().begin(), surface.back().end());
+      surface.push_back(face);
     }
+  }
+  return surface;
+}
+
+/** The surface that there should be: that of the mesh before, where its points are now, and the
+ * layers' sides. */
+std::vector<Face> ExpectedSurface(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const std::vector<Id>& wall, const LayeredMesh& layered)
+{
+  std::vector<Id> outer(mesh.Points.size(), None); // the point in the same place
+  for (std::size_t p = 0; p < layered.Points.size(); ++p)
+  {
+    if (layered.OriginalPoints[p] != None)
+    {
+      outer[layered.OriginalPoints[p]] = static_cast<Id>(p);
+    }
+  }
+  std::vector<std::vector<Face>> before;
+  AppendCells(mesh.Cells, before);
+  std::set<Face> wallFaces;
+  for (const Id face : wall)
+  {
+    const Triangle corners = FaceOf(mesh.Cells[face / 4], face % 4);
+    Face sorted(corners.begin(), corners.end());
+    std::sort(sorted.begin(), sorted.end());
+    wallFaces.insert(sorted);
+  }
+  std::vector<Face> surface;
+  for (const Face& face : Surface(before, regions))
+  {
+    const bool isOfWall = wallFaces.count(face) > 0;
+    Face now;
+    for (const Id p : face)
+    {
+      now.push_back(isOfWall ? outer[p] : layered.PointsBeside[p]);
+    }
+    surface.push_back(now);
+  }
+  for (const LayerSide& side : layered.Sides)
+  {
+    surface.emplace_back(
+      side.Corners.begin(), side.Corners.end() - (side.Corners[3] == None ? 1 : 0));
+  }
+  for (Face& face : surface)
+  {
+    std::sort(face.begin(), face.end());
   }
   std::sort(surface.begin(), surface.end());
   return surface;
@@ -138,10 +179,27 @@ double StatisticOf(const LayeredMesh& mesh, const std::string& name)
   return 0;
 }
 
-/** Expect what MakeBoundaryLayers promises. */
-void ExpectLaws(
-  const TetrahedralMesh& mesh, const std::vector<Id>& regions, const LayeredMesh& layered)
+std::vector<Id> Boundary(const TetrahedralMesh& mesh)
 {
+  std::vector<Id> faces;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (mesh.Neighbors[c][k] == None)
+      {
+        faces.push_back(4 * c + k);
+      }
+    }
+  }
+  return faces;
+}
+
+/** Expect what MakeBoundaryLayers promises. */
+void ExpectLaws(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const LayeredMesh& layered, std::vector<Id> wall = {})
+{
+  wall = wall.empty() ? Boundary(mesh) : wall;
   const std::vector<Point>& points = layered.Points;
   EXPECT_TRUE(std::all_of(layered.Tetrahedra.begin(), layered.Tetrahedra.end(),
     [&](const Tetrahedron& cell) { return Orient3D(points, cell) > 0; }));
@@ -172,7 +230,22 @@ void ExpectLaws(
     volumeBefore += VolumeOf(mesh.Points, cell);
   }
   EXPECT_NEAR(volume, volumeBefore, 1e-9 * volumeBefore);
-  EXPECT_EQ(Surface(points, cells, regionsAfter), Surface(mesh.Points, before, regions));
+  EXPECT_EQ(Surface(cells, regionsAfter), ExpectedSurface(mesh, regions, wall, layered));
+  // Beside the wall points stay in the planes of their facets.
+  for (const Id face : Boundary(mesh))
+  {
+    const Triangle corners = FaceOf(mesh.Cells[face / 4], face % 4);
+    const auto plane = CornersOf(mesh.Points, corners);
+    const Point normal = NormalOf(plane[0], plane[1], plane[2]);
+    for (const Id corner : corners)
+    {
+      const Point& place = points[layered.PointsBeside[corner]];
+      const bool isOfWall = std::find(wall.begin(), wall.end(), face) != wall.end();
+      EXPECT_TRUE(
+        isOfWall || std::abs(Dot(Difference(place, plane[0]), normal)) <= 1e-9 * Length(normal))
+        << face;
+    }
+  }
   for (std::size_t p = 0; p < points.size(); ++p)
   {
     const Id original = layered.OriginalPoints[p];
@@ -181,28 +254,12 @@ void ExpectLaws(
   EXPECT_EQ(StatisticOf(layered, "Prisms"), static_cast<double>(layered.Prisms.size()));
 }
 
-std::vector<Id> Boundary(const TetrahedralMesh& mesh)
-{
-  std::vector<Id> faces;
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      if (mesh.Neighbors[c][k] == None)
-      {
-        faces.push_back(4 * c + k);
-      }
-    }
-  }
-  return faces;
-}
-
 LayeredMesh Layered(const TetrahedralMesh& mesh, const LayerParameters& parameters,
   const std::vector<Id>& regions = {}, std::vector<Id> wall = {})
 {
   Monitor monitor;
   wall = wall.empty() ? Boundary(mesh) : wall;
-  return MakeBoundaryLayers(mesh, regions, wall, parameters, monitor);
+  return MakeBoundaryLayers(mesh, regions, wall, {}, parameters, monitor);
 }
 
 /** A refined cube of edge 400. */
@@ -256,8 +313,8 @@ TEST_P(LayersOfRandomMeshes, EndAtTheRestOfTheBoundaryAndAtRegions)
   std::mt19937 random(GetParam());
   std::shuffle(wall.begin(), wall.end(), random);
   wall.resize(wall.size() / 2);
-  ExpectLaws(grid, regions, Layered(grid, { 2, 3, 1.5 }, regions, wall));
-  ExpectLaws(grid, {}, Layered(grid, { 2, 3, 1.5 }, {}, wall));
+  ExpectLaws(grid, regions, Layered(grid, { 2, 3, 1.5 }, regions, wall), wall);
+  ExpectLaws(grid, {}, Layered(grid, { 2, 3, 1.5 }, {}, wall), wall);
 }
 
 TEST_P(LayersOfRandomMeshes, TakeCellsThatAreAllButFlat)
@@ -317,25 +374,77 @@ TEST(BoundaryLayers, LeaveAThirdOfAGap)
   }
 }
 
-TEST(BoundaryLayers, EndInPyramidsAndTetrahedra)
+namespace
 {
-  const TetrahedralMesh cube = Cube();
-  std::vector<Id> wall;
-  for (const Id face : Boundary(cube))
+/** The faces of a cube's boundary whose corners are all such. */
+template <class IsOf>
+std::vector<Id> FacesWhere(const TetrahedralMesh& mesh, const IsOf& isOf)
+{
+  std::vector<Id> faces;
+  for (const Id face : Boundary(mesh))
   {
-    const auto corners = CornersOf(cube.Points, FaceOf(cube.Cells[face / 4], face % 4));
-    if (corners[0][2] == 0 && corners[1][2] == 0 && corners[2][2] == 0)
+    const auto corners = CornersOf(mesh.Points, FaceOf(mesh.Cells[face / 4], face % 4));
+    if (std::all_of(corners.begin(), corners.end(), isOf))
     {
-      wall.push_back(face);
+      faces.push_back(face);
     }
   }
+  return faces;
+}
+} // namespace
+
+TEST(BoundaryLayers, GoOnAlongPlanes)
+{
+  // At the bottom of a cube, beside four planes, two of which meet at its corners.
+  const TetrahedralMesh cube = Cube();
+  const std::vector<Id> bottom = FacesWhere(cube, [](const Point& p) { return p[2] == 0; });
+  const LayeredMesh layered = Layered(cube, { 3, 5, 1.2 }, {}, bottom);
+  ExpectLaws(cube, {}, layered, bottom);
+  EXPECT_EQ(layered.Prisms.size(), 3 * bottom.size());
+  EXPECT_EQ(layered.Pyramids.size(), 0U);
+  EXPECT_EQ(StatisticOf(layered, "FullHeightShare"), 1);
+  EXPECT_EQ(StatisticOf(layered, "BarePoints"), 0);
+  ASSERT_GT(layered.Sides.size(), 0U);
+  for (const LayerSide& side : layered.Sides)
+  {
+    ASSERT_NE(side.Corners[3], None);
+    const auto beside = CornersOf(cube.Points, FaceOf(cube.Cells[side.Face / 4], side.Face % 4));
+    const Point normal = NormalOf(beside[0], beside[1], beside[2]);
+    const std::vector<Point>& points = layered.Points;
+    const Point ofSide =
+      NormalOf(points[side.Corners[0]], points[side.Corners[1]], points[side.Corners[2]]);
+    EXPECT_NEAR(Dot(normal, ofSide), Length(normal) * Length(ofSide), 1e-9 * Length(normal));
+  }
+}
+
+TEST(BoundaryLayers, EndInPyramidsAndTetrahedra)
+{
+  // On one half of a plane: beside it the rest of this plane, which leaves no way in.
+  const TetrahedralMesh cube = Cube();
+  const std::vector<Id> wall =
+    FacesWhere(cube, [](const Point& p) { return p[2] == 0 && p[0] <= 200; });
   const LayeredMesh layered = Layered(cube, { 3, 5, 1.2 }, {}, wall);
-  ExpectLaws(cube, {}, layered);
+  ExpectLaws(cube, {}, layered, wall);
   EXPECT_GT(layered.Prisms.size(), 0U);
   EXPECT_GT(layered.Pyramids.size(), 0U);
   EXPECT_GT(StatisticOf(layered, "LayerTetrahedra"), 0);
   EXPECT_GT(StatisticOf(layered, "BarePoints"), 0);
   EXPECT_LT(StatisticOf(layered, "FullHeightShare"), 1);
+}
+
+TEST(BoundaryLayers, EndWhereTagsMeetInAPlane)
+{
+  const TetrahedralMesh cube = Cube();
+  const std::vector<Id> bottom = FacesWhere(cube, [](const Point& p) { return p[2] == 0; });
+  std::vector<std::array<Id, 4>> labels(cube.Cells.size(), { { 0, 0, 0, 0 } });
+  for (const Id face : FacesWhere(cube, [](const Point& p) { return p[0] == 0 && p[1] <= 200; }))
+  {
+    labels[face / 4][face % 4] = 1;
+  }
+  Monitor monitor;
+  const LayeredMesh layered = MakeBoundaryLayers(cube, {}, bottom, labels, { 3, 5, 1.2 }, monitor);
+  ExpectLaws(cube, {}, layered, bottom);
+  EXPECT_EQ(StatisticOf(layered, "BarePoints"), 1);
 }
 
 TEST(BoundaryLayers, AreTheSameOnAnyNumberOfThreadsAndAtAnySize)
