@@ -10,6 +10,7 @@
 #include "Layers/WallDirections.h"
 #include "Layers/WallRims.h"
 #include "Refine/CellShape.h"
+#include "Refine/FillWithPoints.h"
 #include "Refine/ImproveCells.h"
 #include "Refine/LocateCells.h"
 #include "Refine/MakeRefinable.h"
@@ -208,7 +209,7 @@ private:
     {
       if (mesh.CellAt(p) != None)
       {
-        const bool isOfWall = (p < given) && (this->Solid.Pushed.Length(p) > 0);
+        const bool isOfWall = (p < given) && (this->Solid.Pushed.Height(p) > 0);
         const Point& place = isOfWall ? this->Solid.Pushed.Outer(p) : mesh.Points[p];
         this->Outer[p] = static_cast<Id>(this->Result.Points.size());
         this->AddPoint(place, p < given && place == this->Solid.Input.Points[p] ? p : None,
@@ -217,7 +218,7 @@ private:
     }
     for (const Id p : this->Solid.Wall.Points)
     {
-      if (this->Solid.Pushed.Length(p) > 0)
+      if (this->Solid.Pushed.Height(p) > 0)
       {
         this->FirstBorder[p] = static_cast<Id>(this->Result.Points.size());
         for (Id border = 1; border <= this->Layers; ++border)
@@ -386,7 +387,8 @@ std::vector<double> SharesOfHeight(const LayerWall& wall,
   std::vector<double> shares(points, 0);
   for (const Id p : wall.Points)
   {
-    shares[p] = std::min(1.0, pushed.Length(p) * directions[p].Cosine / height);
+    shares[p] = std::min(
+      1.0, pushed.Height(p) * directions[p].LengthPerHeight() * directions[p].Cosine / height);
     shares[p] = shares[p] >= FullShare ? 1 : shares[p];
   }
   return shares;
@@ -444,24 +446,37 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
   {
     refinable.Kinds[point] = PointKind::InFacet;
   }
-  const std::vector<WallDirection> directions =
-    FindWallDirections(mesh.Points, wall, rims.AtPoints);
   const double height = HeightOfAll(parameters);
-  const std::vector<double> lengths = LimitHeights(refinable, wall, directions, height);
+  const std::vector<WallDirection> directions =
+    FindWallDirections(mesh.Points, wall, rims.AtPoints, height);
+  const std::vector<double> heights = LimitHeights(refinable, wall, directions, height);
   const std::vector<double> fractions = FractionsOfLayers(parameters.Layers, parameters.Growth);
 
-  PushedWall pushed(refinable, { wall, directions, lengths, fractions });
+  PushedWall pushed(refinable, { wall, directions, heights, fractions });
+  const std::int64_t first = refinable.NumberOfChanges();
+  const auto improve = [&](std::int64_t since, double begin, double end)
+  {
+    SurfaceBound bound(refinable, facets, SurfaceTreatment::Split, 0); // of the wall as it is now
+    ImproveCells(
+      refinable, surface, bound, sizes, monitor, { Stages::Layering, begin, end }, since);
+  };
   for (int round = 0; round < MostRounds; ++round)
   {
     const std::int64_t before = refinable.NumberOfChanges();
-    if (pushed.Advance() == 0)
+    if (pushed.Advance(1.0 / (MostRounds - round)) == 0)
     {
       break;
     }
-    const ProgressRange range = { Stages::Layering, 0.9 * round / MostRounds,
-      0.9 * (round + 1) / MostRounds };
-    SurfaceBound bound(refinable, facets, SurfaceTreatment::Split, 0); // of the wall as it is now
-    ImproveCells(refinable, surface, bound, sizes, monitor, range, before);
+    // Edges of the moved wall are shorter: what is as long as the wall's were is in the way.
+    sizes.FollowSurface();
+    ThinPoints(refinable);
+    improve(before, 0.6 * round / MostRounds, 0.6 * (round + 1) / MostRounds);
+  }
+  if (refinable.NumberOfChanges() > first)
+  {
+    FillWithPoints(
+      refinable, sizes, 0, SurfaceTreatment::Split, monitor, { Stages::Layering, 0.6, 0.7 });
+    improve(first, 0.7, 0.9);
   }
 
   const PushedSolid solid = { mesh, regions, wallFaces, refinable, wall, rims.Edges, pushed,

@@ -19,10 +19,6 @@ constexpr double ShareOfGap = 1.0 / 3;
 /** Least share of a wall edge behind the layers. */
 constexpr double LeastShareOfEdge = 0.25;
 
-/** In a corner of 60 degrees layers end twice their height from the point; sharper ones get less.
- */
-constexpr double MostTimesHeight = 2;
-
 /** Cosine below which a way runs along a face, as it does in the planes of rims. */
 constexpr double LeastCosineThrough = 1e-5;
 
@@ -103,9 +99,9 @@ double WayToFacet(const RefinableMesh& mesh, Id point, const std::vector<Id>& st
   return way > enough ? std::numeric_limits<double>::infinity() : way;
 }
 
-/** Shorten what would make edges of the wall too short, or turn them over. */
+/** Lower what would make edges of the wall too short, or turn them over. */
 void KeepEdges(const std::vector<Point>& points, const LayerWall& wall,
-  const std::vector<WallDirection>& directions, std::vector<double>& lengths)
+  const std::vector<WallDirection>& directions, std::vector<double>& heights)
 {
   for (const Id p : wall.Points)
   {
@@ -114,40 +110,40 @@ void KeepEdges(const std::vector<Point>& points, const LayerWall& wall,
       const Point edge = Difference(points[q], points[p]);
       const double squared = Dot(edge, edge);
       const double loss =
-        lengths[p] * Dot(directions[p].Inward, edge) - lengths[q] * Dot(directions[q].Inward, edge);
+        heights[p] * directions[p].WayAlong(edge) - heights[q] * directions[q].WayAlong(edge);
       const double most = (1 - LeastShareOfEdge) * squared;
       if (p < q && loss > most)
       {
-        lengths[p] *= most / loss;
-        lengths[q] *= most / loss;
+        heights[p] *= most / loss;
+        heights[q] *= most / loss;
       }
     }
   }
 }
 
-/** Let lengths grow along edges no faster than they may. */
-void Grade(const std::vector<Point>& points, const LayerWall& wall, std::vector<double>& lengths)
+/** Let heights grow along edges no faster than they may. */
+void Grade(const std::vector<Point>& points, const LayerWall& wall, std::vector<double>& heights)
 {
   using Entry = std::pair<double, Id>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (const Id p : wall.Points)
   {
-    queue.push({ lengths[p], p });
+    queue.push({ heights[p], p });
   }
   while (!queue.empty())
   {
-    const auto [length, p] = queue.top();
+    const auto [height, p] = queue.top();
     queue.pop();
-    if (length > lengths[p])
+    if (height > heights[p])
     {
       continue;
     }
     for (const Id q : wall.NeighborsOf[p])
     {
-      const double most = length + GradingOfHeights * Distance(points[p], points[q]);
-      if (lengths[q] > most)
+      const double most = height + GradingOfHeights * Distance(points[p], points[q]);
+      if (heights[q] > most)
       {
-        lengths[q] = most;
+        heights[q] = most;
         queue.push({ most, q });
       }
     }
@@ -155,15 +151,10 @@ void Grade(const std::vector<Point>& points, const LayerWall& wall, std::vector<
 }
 } // namespace
 
-double LengthOfHeight(const WallDirection& direction, double height)
-{
-  return direction.Cosine > 0 ? height * std::min(MostTimesHeight, 1 / direction.Cosine) : 0;
-}
-
 std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wall,
   const std::vector<WallDirection>& directions, double height)
 {
-  std::vector<double> lengths(mesh.Points.size(), 0);
+  std::vector<double> heights(mesh.Points.size(), 0);
   std::vector<Id> star;
   for (const Id p : wall.Points)
   {
@@ -171,14 +162,14 @@ std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wal
     {
       continue;
     }
-    const double wanted = LengthOfHeight(directions[p], height);
+    const double times = directions[p].LengthPerHeight();
     star.clear();
     mesh.Star(p, star);
-    const double way = WayToFacet(mesh, p, star, directions[p].Inward, wanted / ShareOfGap);
-    lengths[p] = std::min(wanted, ShareOfGap * way);
+    const double way = WayToFacet(mesh, p, star, directions[p].Inward, times * height / ShareOfGap);
+    heights[p] = std::min(height, ShareOfGap * way / times);
   }
-  KeepEdges(mesh.Points, wall, directions, lengths);
-  Grade(mesh.Points, wall, lengths);
-  return lengths;
+  KeepEdges(mesh.Points, wall, directions, heights);
+  Grade(mesh.Points, wall, heights);
+  return heights;
 }
 } // namespace insideout

@@ -16,8 +16,11 @@ namespace
 {
 /** Degrees. A move may make cells as flat as this, and bad ones half as good: others take their
  * place before the next. */
-constexpr double LeastAngle = 8;
+constexpr double LeastAngle = 14;
 constexpr double LeastShare = 0.5;
+
+/** Of the edges' length: how far to go at once, so that the wall stays smooth. */
+constexpr double StepOfEdges = 0.5;
 
 /** Halvings of a move that is not possible. */
 constexpr int MostHalvings = 4;
@@ -31,13 +34,15 @@ PushedWall::PushedWall(RefinableMesh& mesh, const WallPush& push)
 {
 }
 
-Id PushedWall::Advance()
+Id PushedWall::Advance(double share)
 {
   Id moved = 0;
   for (const Id point : this->Push.Wall.Points)
   {
-    const double most = this->MostAt(point);
     const double gone = this->Gone[point];
+    const double left = this->Push.Heights[point] - gone;
+    const double most = std::min(
+      this->MostAt(point), gone + std::max(share * left, StepOfEdges * this->Mesh.Sizes[point]));
     if (!(most > gone))
     {
       continue;
@@ -56,10 +61,10 @@ Id PushedWall::Advance()
   return moved;
 }
 
-/** How far a point may go, given how far its neighbors are. */
+/** How high layers may be at a point, given how far its neighbors are. */
 double PushedWall::MostAt(Id point) const
 {
-  double most = this->Push.Lengths[point];
+  double most = this->Push.Heights[point];
   for (const Id neighbor : this->Push.Wall.NeighborsOf[point])
   {
     most = std::min(most,
@@ -69,10 +74,11 @@ double PushedWall::MostAt(Id point) const
   return most;
 }
 
-bool PushedWall::MoveTo(Id point, double length)
+bool PushedWall::MoveTo(Id point, double height)
 {
   const Point& start = this->Start[point];
   const Point& way = this->Push.Directions[point].Inward;
+  const double length = height * this->Push.Directions[point].LengthPerHeight();
   const Point place = { { start[0] + length * way[0], start[1] + length * way[1],
     start[2] + length * way[2] } };
   const std::vector<Point>& points = this->Mesh.Points;
@@ -85,7 +91,7 @@ bool PushedWall::MoveTo(Id point, double length)
     return false;
   }
   this->Mesh.Move(point, place, this->Walls);
-  this->Gone[point] = length;
+  this->Gone[point] = height;
   return true;
 }
 

@@ -15,7 +15,7 @@ struct WallPush
 {
   const LayerWall& Wall;
   const std::vector<WallDirection>& Directions;
-  const std::vector<double>& Lengths;   ///< how far each point is to go
+  const std::vector<double>& Heights;   ///< of the layers that there is to be room for
   const std::vector<double>& Fractions; ///< of the layers' borders
 };
 
@@ -30,25 +30,30 @@ class PushedWall
 public:
   PushedWall(RefinableMesh& mesh, const WallPush& push);
 
-  /** Move each point on, as far as its neighbors are. @return the number of points moved */
-  Id Advance();
+  /**
+   * Move each point on, at most about as far as its neighbors are.
+   *
+   * @param[in] share of the way that is left to go at once, where edges are shorter than it
+   * @return the number of points moved
+   */
+  Id Advance(double share);
 
   /** Where a point of the wall was. */
   const Point& Outer(Id point) const { return this->Start[point]; }
 
-  /** How far it has gone. */
-  double Length(Id point) const { return this->Gone[point]; }
+  /** The height of the layers that there is room for now. */
+  double Height(Id point) const { return this->Gone[point]; }
 
 private:
   double MostAt(Id point) const;
-  bool MoveTo(Id point, double length);
+  bool MoveTo(Id point, double height);
   bool IsInside(Id point, const Point& place) const;
   bool ArePositive(Id point, const Point& place) const;
 
   RefinableMesh& Mesh;
   const WallPush Push;
   std::vector<Point> Start; ///< of the points of the mesh when it began
-  std::vector<double> Gone; ///< how far each is
+  std::vector<double> Gone; ///< height of the layers at each
   std::vector<Id> Cells;
   std::vector<Triangle> Walls;
 };

@@ -16,9 +16,19 @@ constexpr int StepsOfHull = 50;
 /** Directions with a smaller cosine run along a triangle: layers there would be all but flat. */
 constexpr double LeastCosine = 0.1;
 
+/** In a corner of 60 degrees layers end twice their height from the point; sharper ones get less.
+ */
+constexpr double MostTimesHeight = 2;
+
 /** Rounds of smoothing, and how much of the best cosine a smoothed direction keeps. */
 constexpr int Rounds = 5;
 constexpr double LeastShareOfCosine = 0.9;
+
+/** Behind layers higher than edges are long the moved points of a ridge would overtake others:
+ * there directions turn on, up to 45 degrees, until edges keep this share. */
+constexpr double ShareOfEdge = 0.5;
+constexpr double LeastShareAtShortEdges = 0.7;
+constexpr int MostRoundsAtShortEdges = 100;
 
 Point Unit(const Point& vector)
 {
@@ -64,11 +74,11 @@ public:
     }
   }
 
-  /** Turn each direction towards those of the neighbors. */
-  void Smooth()
+  /** Turn directions of points towards those of the neighbors, where enough of the cosine stays. */
+  void Smooth(const std::vector<Id>& chosen, double leastShare)
   {
     const std::vector<WallDirection> before = this->All;
-    for (const Id p : this->Wall.Points)
+    for (const Id p : chosen)
     {
       Point sum = before[p].Inward;
       if (before[p].Cosine == 0)
@@ -85,11 +95,33 @@ public:
       }
       const Point way = UnitUnlessShort(this->Rims[p].Along(sum));
       const double cosine = this->CosineAt(p, way);
-      if (cosine >= std::max(LeastCosine, LeastShareOfCosine * this->Best[p]))
+      if (cosine >= std::max(LeastCosine, leastShare * this->Best[p]))
       {
         this->All[p] = { way, cosine };
       }
     }
+  }
+
+  /** The ends of edges that get too short behind layers of a height. */
+  std::vector<Id> EndsOfShortEdges(const std::vector<Point>& points, double height) const
+  {
+    std::vector<Id> ends;
+    for (const Id p : this->Wall.Points)
+    {
+      const auto neighbors = this->Wall.NeighborsOf[p];
+      const bool isEnd = std::any_of(neighbors.begin(), neighbors.end(),
+        [&](Id q)
+        {
+          const Point edge = Difference(points[q], points[p]);
+          return height * (this->All[p].WayAlong(edge) - this->All[q].WayAlong(edge)) >
+            (1 - ShareOfEdge) * Dot(edge, edge);
+        });
+      if (isEnd)
+      {
+        ends.push_back(p);
+      }
+    }
+    return ends;
   }
 
   std::vector<WallDirection> Take() { return std::move(this->All); }
@@ -113,13 +145,29 @@ private:
 };
 } // namespace
 
-std::vector<WallDirection> FindWallDirections(
-  const std::vector<Point>& points, const LayerWall& wall, const std::vector<WallRim>& rims)
+double WallDirection::WayAlong(const Point& vector) const
+{
+  return this->LengthPerHeight() * Dot(this->Inward, vector);
+}
+
+double WallDirection::LengthPerHeight() const
+{
+  return this->Cosine > 0 ? std::min(MostTimesHeight, 1 / this->Cosine) : 0;
+}
+
+std::vector<WallDirection> FindWallDirections(const std::vector<Point>& points,
+  const LayerWall& wall, const std::vector<WallRim>& rims, double height)
 {
   Directions directions(points, wall, rims);
   for (int round = 0; round < Rounds; ++round)
   {
-    directions.Smooth();
+    directions.Smooth(wall.Points, LeastShareOfCosine);
+  }
+  std::vector<Id> ends = directions.EndsOfShortEdges(points, height);
+  for (int round = 0; round < MostRoundsAtShortEdges && !ends.empty(); ++round)
+  {
+    directions.Smooth(ends, LeastShareAtShortEdges);
+    ends = directions.EndsOfShortEdges(points, height);
   }
   return directions.Take();
 }

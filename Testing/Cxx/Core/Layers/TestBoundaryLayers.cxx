@@ -5,6 +5,7 @@
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 #include "GraphCut/ConnectCells.h"
+#include "Quality/QualityOfMesh.h"
 #include "Refine/RefineTetrahedra.h"
 #include "Support/AllowedThreads.h"
 #include "Support/TestTetrahedra.h"
@@ -353,6 +354,27 @@ TEST(BoundaryLayers, HaveFullHeightInACube)
         }
       }
     }
+  }
+}
+
+TEST(BoundaryLayers, LeaveGoodCellsBehindThickLayers)
+{
+  // Layers of six tenths of a cube's half width, twice and three times as long as edges are.
+  for (const double length : { 60.0, 40.0 })
+  {
+    Monitor monitor;
+    RefinementParameters parameters;
+    parameters.Sizes.EdgeLength = length;
+    parameters.Surface = SurfaceTreatment::Remeshed;
+    const RefinedMesh refined =
+      RefineTetrahedra(testtetrahedra::EvenGrid(4), {}, parameters, monitor);
+    const TetrahedralMesh cube = ConnectCells(refined.Points, refined.Cells);
+    const LayeredMesh layered = Layered(cube, { 5, 16, 1.2 });
+    ExpectLaws(cube, {}, layered);
+    EXPECT_GT(StatisticOf(layered, "MeanHeightShare"), 0.8);
+    const MeshQuality quality =
+      QualityOfMesh(layered.Points, layered.Tetrahedra, monitor, { "measuring", 0, 1 });
+    EXPECT_GT(quality.DihedralAngle1Percent, 15) << length;
   }
 }
 
