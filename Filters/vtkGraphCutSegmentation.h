@@ -45,9 +45,9 @@ public:
 
   ///@{
   /**
-   * Weight of a smooth boundary against the winding number, without unit. 0 takes every cell with w
-   * above 1/2; larger values cut off and fill up thin parts where w is unsure. Default 2. Range 0
-   * to infinity.
+   * Weight of a smooth boundary against w, the winding number, without unit. 0 takes every cell
+   * with w above 1/2; larger values cut off and fill up thin parts where w is unsure. Default 2.
+   * Range 0 to infinity.
    */
   vtkInsideOutSetRangeMacro(Gamma, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Gamma, double);

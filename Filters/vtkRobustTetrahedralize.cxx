@@ -74,6 +74,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SplitSeams: " << this->SplitSeams << "\n";
   os << indent << "SurfaceOnly: " << this->SurfaceOnly << "\n";
   os << indent << "TagArrayName: " << this->TagArrayName << "\n";
+  os << indent << "TagRules: " << this->TagRules << "\n";
   os << indent << "BodyArrayName: " << this->BodyArrayName << "\n";
   os << indent << "BlocksAreBodies: " << this->BlocksAreBodies << "\n";
   os << indent << "BlocksAtOnce: " << this->BlocksAtOnce << "\n";
@@ -288,7 +289,8 @@ vtkInsideOut::SolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
   options.SplitPoints = filter->GetNonManifold() == vtkGraphCutSegmentation::NONMANIFOLD_SPLIT;
   options.SeparateOverlaps = filter->GetSeparateOverlaps();
   options.Boundary = { filter->GetMergeCoplanarPieces(), filter->GetSplitSeams(),
-    options.SplitPoints, !std::string(filter->GetTagArrayName()).empty() };
+    options.SplitPoints, !std::string(filter->GetTagArrayName()).empty(),
+    ReadTagRules(filter->GetTagRules()) };
   options.GenerateHull = filter->GetGenerateHull();
   options.Refine = filter->GetRefine();
   options.Refinement = vtkInsideOut::RefinementParametersOf(filter->GetRefinement());
@@ -324,6 +326,7 @@ bool vtkRobustTetrahedralize::PartsSolid()
 
 void vtkRobustTetrahedralize::CheckOptions()
 {
+  ReadTagRules(this->TagRules); // it throws before the work begins
   const auto refuse = [](const std::string& words)
   { throw Error(ErrorCode::InvalidParameter, words); };
   const std::string parting =

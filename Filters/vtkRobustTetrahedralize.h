@@ -258,6 +258,23 @@ public:
 
   ///@{
   /**
+   * Tags by geometry, "NAME=CONDITION; NAME=CONDITION" and so on. Conditions are "normal X Y Z
+   * [DEGREES]", "box X Y Z X Y Z" and "sphere X Y Z RADIUS". Others are "plane X Y Z NX NY NZ
+   * [DISTANCE]", "face X Y Z [DEGREES]" and "faces [DEGREES]". The last are "nearest X Y Z" and
+   * "array NAME"; & joins several. Default
+   * empty: none. A triangle of the boundary has the name of the last rule that it satisfies, else
+   * its tag from elsewhere. A rule without a triangle gives a warning. Outward normals are within
+   * 10 degrees of a direction. Centers are in a box or ball, corners in a plane, within a millionth
+   * of the diagonal. A face lies between edges of over 30 degrees: the one next to a point, or
+   * each, as NAME_1, NAME_2. A center belongs to the nearest of all points of "nearest". An array
+   * of the input's cells is not 0.
+   */
+  vtkSetStdStringFromCharMacro(TagRules);
+  vtkGetCharFromStdStringMacro(TagRules);
+  ///@}
+
+  ///@{
+  /**
    * Cell array of the input that says which body each cell belongs to, one integer or string per
    * cell, or which two it lies between. All become one mesh, with a region for each. Default empty:
    * all is one body. Bodies are numbered and called as tags are: by GroupIds those of an OBJ or STL
@@ -375,6 +392,7 @@ public:
   bool SplitSeams = false;
   bool SurfaceOnly = false;
   std::string TagArrayName;
+  std::string TagRules;
   std::string BodyArrayName;
   bool BlocksAreBodies = false;
   int BlocksAtOnce = 1;

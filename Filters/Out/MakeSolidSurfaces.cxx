@@ -2,6 +2,7 @@
 #include "Out/MakeSolidSurfaces.h"
 
 #include "Common/Stages.h"
+#include "Out/TagByRules.h"
 #include "Output/MergePieces.h"
 #include "Output/RegionBoundaries.h"
 #include "Output/Topology.h"
@@ -118,6 +119,11 @@ void AddOutliers(const HullMesh& hull, const std::vector<OutlierPiece>& outliers
   surfaces.Lost = MeasureLostArea(hull, outliers);
   surfaces.Counts.emplace_back("LostShare", surfaces.Lost.Share);
 }
+void AddRuledTags(const BoundaryOptions& options, MakeOutputs& outputs, vtkPolyData* boundary)
+{
+  const std::vector<std::string> warnings = TagByRules(options.TagRules, boundary);
+  outputs.Warnings.insert(outputs.Warnings.end(), warnings.begin(), warnings.end());
+}
 } // namespace
 
 SolidSurfaces MakeSolidSurfaces(const KeptHull& kept, const SegmentedHull& segmented,
@@ -144,6 +150,7 @@ SolidSurfaces MakeSolidSurfaces(const KeptHull& kept, const SegmentedHull& segme
       MakeBoundary(kept, faces, parted, options, outputs, surfaces.Counts, monitor);
     AddTags(tags, surfaces.Boundary);
   }
+  AddRuledTags(options, outputs, surfaces.Boundary);
   const std::vector<OutlierPiece> outliers = kept.Bodies.AreNamed()
     ? OutlierPieces(hull.Surface, hull.Mesh, IsInOwnBody(hull, kept.Bodies, segmented.InBodies),
         monitor, findingOutliers)
@@ -160,6 +167,7 @@ SolidSurfaces MakeRepairedSurfaces(const KeptHull& kept, const ExpressionSurface
   surfaces.Boundary = MakeBoundary(kept, MergedIfAsked(kept, repaired.Boundary, options, monitor),
     options.SplitSeams, outputs, monitor);
   AddTags(tags, surfaces.Boundary);
+  AddRuledTags(options, outputs, surfaces.Boundary);
   AddOutliers(kept.Hull, repaired.Outliers, outputs, monitor, surfaces);
   return surfaces;
 }

@@ -11,6 +11,7 @@
 #include "Out/KeptHull.h"
 #include "Out/PartSolid.h"
 #include "Out/SegmentHull.h"
+#include "Output/TagRules.h"
 
 namespace vtkInsideOut
 {
@@ -21,6 +22,7 @@ struct BoundaryOptions
   bool SplitSeams = false;
   bool IsManifold = false; ///< of a parted solid
   bool TagBodies = false;  ///< tags of the surface on the boundary of bodies, too
+  std::vector<insideout::TagRule> TagRules; ///< applied after all other tags
 };
 
 /** Both outputs, with warnings and statistics. */

@@ -111,7 +111,7 @@ TETRAHEDRALIZE = [
     *refinement(REFINE),
     *[("Hull", [True], {}), ("ConstrainedFacetsArrayName", ["Kept"], {"ConstrainFacets": True})],
     *[("SeparateOverlaps", [True], {}), ("MergeCoplanarPieces", [True], {}), ("SplitSeams", [True], {}), ("SurfaceOnly", [True], {})],
-    *[("SurfaceOnly", [True], {"MergeCoplanarPieces": True}), ("TagArrayName", ["Part"], {}), ("PartsApart", [True], {}), ("PartsApart", [True], REFINE)],
+    *[("SurfaceOnly", [True], {"MergeCoplanarPieces": True}), ("TagArrayName", ["Part"], {}), ("TagRules", ["up=normal 0 0 1"], {}), ("PartsApart", [True], {}), ("PartsApart", [True], REFINE)],
     *[("BodyArrayName", ["Part"], {}), ("RegionRule", [1], BODIES), ("Priority", ["two,one"], BODIES)],
     *[("Hull", [True], BODIES), ("SeedsData", ["@seeds"], BODIES), ("MergeTolerance", [Length(1 / 128)], BODIES), ("Topology", [2], BODIES)],
     ("TouchTolerance", [0, Length(1 / 128)], BODIES),

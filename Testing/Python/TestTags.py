@@ -470,6 +470,104 @@ class Regions(unittest.TestCase):
         self.assertEqual({name: len(triangles) for name, triangles in result.tags.items()}, {"surface": 0})
 
 
+class ByGeometry(Tags):
+    """Of boxes, whose facets are those of `FACES` in pairs."""
+
+    def tags(self, surface, rules, **options) -> list:
+        result = insideout.tetrahedralize(surface, tag_rules=rules, **options)
+        names = names_of(result.boundary)
+        self.assertEqual(list(result.tags), names)
+        return [names[tag] for tag in cell_array(result.boundary, "BoundaryTag").tolist()]
+
+    def test_rules_come_after_the_tags_that_facets_have(self):
+        surface = tagged(surfaces.box(), [face for face in FACES for _ in (1, 2)])
+        sides = ["front", "front", "back", "back", "right", "right", "left", "left"]
+        for rules in ("lid=normal 0 0 1; bottom=plane 0 0 1 0 0 1 & array Odd", ["lid=normal 0 0 1"], {"lid": "normal 0 0 1"}):
+            surfaces.add_array(surface.GetCellData(), "Odd", np.arange(12) % 2)
+            expected = ["lid", "bottom"] if "array" in rules else ["lid", "lid"]
+            self.assertCountEqual(self.tags(surface, rules, tag_array="Part"), ["bottom", "bottom", *expected, *sides])
+            self.assertCountEqual(self.tags(surface, rules, tag_array="Part", surface_only=True), ["bottom", "bottom", *expected, *sides])
+
+    def test_normals_point_out_of_the_solid_however_facets_are_turned(self):
+        for surface in (surfaces.box(), surfaces.reversed_box()):
+            result = insideout.tetrahedralize(surface, tag_rules={"lid": "normal 0 0 1"})
+            top = result.boundary.points[result.boundary.triangles[result.tags["lid"]]]
+            self.assertEqual((len(result.tags["lid"]), top[..., 2].tolist()), (2, [[1.0] * 3] * 2))
+
+    def test_what_closes_a_hole_is_tagged_too(self):
+        result = insideout.tetrahedralize(surfaces.open_box(), tag_rules="lid=normal 0 0 1")
+        self.assertEqual({name: len(found) for name, found in result.tags.items()}, {"surface": 10, "lid": 2})
+
+    def test_a_remeshed_surface_keeps_the_edges_between_them(self):
+        rules = {"patch": lambda centers, normals: (centers[:, 2] > 0.9) & (centers[:, 0] > centers[:, 1]), "floor": "normal 0 0 -1"}
+        result = insideout.tetrahedralize(surfaces.box(), tag_rules=rules, edge_length=0.2)
+        corners = result.boundary.points[result.boundary.triangles]
+        areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+        self.assertGreater(len(areas), 100)
+        for name, area in (("patch", 0.5), ("floor", 1), ("surface", 4.5)):
+            self.assertAlmostEqual(areas[result.tags[name]].sum(), area, delta=1e-12)
+        self.assertNotIn("InsideOutTag_0", result.boundary.cell_arrays)
+
+    def test_functions_get_the_polygons_as_they_are_given(self):
+        seen = []
+
+        def note(centers, normals):
+            seen.extend((centers, normals))
+            return np.ones(len(centers), bool)
+
+        quads = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (1, 2, 6, 5), (3, 0, 4, 7)]
+        self.assertEqual({*self.tags(surfaces.polydata(surfaces.box_points(), quads), {"all": note})}, {"all"})
+        centers, normals = seen
+        outward = np.array([(0, 0, -1), (0, 0, 1), (0, -1, 0), (0, 1, 0), (1, 0, 0), (-1, 0, 0)])
+        np.testing.assert_allclose(normals, outward, atol=1e-15)
+        np.testing.assert_allclose(centers, 0.5 + outward / 2, atol=1e-15)
+        with self.assertRaisesRegex(insideout.Error, r"^the function of the tag odd gives .*; it must give 12 bools, one for each polygon"):
+            insideout.tetrahedralize(surfaces.box(), tag_rules={"odd": lambda centers, normals: [True]})
+
+    def test_a_rule_without_a_triangle_is_told_and_a_wrong_one_named(self):
+        result = insideout.tetrahedralize(surfaces.box(), tag_rules="far=box 5 5 5 6 6 6")
+        self.assertIn("no triangle of the boundary is tagged by the rule far=box 5 5 5 6 6 6", result.warnings)
+        heard = []
+        for rules, message in (
+            ("far", "^the rule far is no name, an equals sign and a condition"),
+            ({"a": "box 1"}, "^the rule a=box 1 has 1 numbers behind box, which takes X Y Z X Y Z"),
+            ({"a;b": "faces"}, "^tag_rules is .*; it must be conditions by names, without semicolons"),
+        ):
+            with self.assertRaisesRegex(insideout.Error, message):
+                insideout.tetrahedralize(surfaces.box(), tag_rules=rules, progress=lambda stage, part: heard.append(stage))
+        with self.assertRaisesRegex(insideout.Error, "^the rule a=array Odd names a cell array of one number per cell, which the surface does not have"):
+            insideout.tetrahedralize(surfaces.box(), tag_rules="a=array Odd")
+        self.assertLessEqual({*heard}, {"working"})
+
+    def test_bodies_have_them_too(self):
+        bodies = {"low": surfaces.box(), "high": surfaces.box((0, 0, 1))}
+        result = insideout.tetrahedralize(bodies, tag_rules={"lid": "normal 0 0 1 & plane 0 0 2 0 0 1"})
+        self.assertEqual({name: len(found) for name, found in result.tags.items()}, {"low|outside": 10, "high|outside": 8, "low|high": 2, "lid": 2})
+
+
+class GeometryOnTheCommandLine(CommandLine):
+    def test_tags_are_sets_supports_loads_and_walls_with_layers(self):
+        path, solid = self.file("box.ply", surfaces.box()), self.path("solid.inp")
+        rules = ("--tag", "foot=face 0.5 0.5 -1", "--tag", "lid=normal 0 0 1")
+        done = run("mesh", path, solid, *rules, "--material", "steel", "--fix", "foot", "--pressure", "lid", "2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(solid, encoding="ascii") as file:
+            deck = file.read()
+        self.assertRegex(deck, r"\*NSET, NSET=foot\n")
+        self.assertIn("*BOUNDARY\nfoot, 1, 3\n", deck)
+        self.assertIn("*DSLOAD\nlid, P, 2\n", deck)
+        self.assertIn("tags surface ", done.stdout)
+        report = self.path("report.json")
+        layers = ("--layers", "2", "--first-height", "0.02", "--layer-tags", "lid", "--edge-length", "0.3", "--report", report)
+        done = run("mesh", path, self.output, *rules, *layers)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(report, encoding="utf-8") as file:
+            told = json.load(file)
+        self.assertEqual(told["parameters"]["tag_rules"], "foot=face 0.5 0.5 -1;lid=normal 0 0 1")
+        self.assertEqual(set(told["tags"]), {"surface", "foot", "lid"})
+        self.assertEqual(told["statistics"]["Layers"], 2)
+
+
 class RegionsOnTheCommandLine(CommandLine):
     def test_it_tells_them(self):
         path = self.file("boxes.ply", boxes(*(((2 * k, 0, 0), 1) for k in range(10))))

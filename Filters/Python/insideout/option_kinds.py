@@ -7,8 +7,10 @@ import argparse
 import os
 import re
 from dataclasses import dataclass
-from typing import Any, Iterable, Optional, Tuple, Union
+from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 
@@ -19,6 +21,8 @@ from .places import read_seeds
 
 Seed = Union[Tuple[Tuple[float, float, float], bool], Tuple[Tuple[float, float, float], bool, str]]
 Seeds = Union[DataSetOfPoints, str, Iterable[Seed]]
+TagFunction = Callable[[NDArray[np.float64], NDArray[np.float64]], ArrayLike]
+TagRules = Union[str, Sequence[str], Mapping[str, Union[str, TagFunction]]]
 
 
 @dataclass(frozen=True)
@@ -181,6 +185,29 @@ class Names(Option):
 
     def argument(self) -> dict[str, Any]:
         return {"metavar": "NAME,NAME..."}
+
+
+class Rules(Option):
+    """Rules by their names, or each as NAME=CONDITION. Functions have become arrays (see tagging.py)."""
+
+    def checked(self, name: str, value: Any) -> str:
+        if isinstance(value, str):
+            return text_of(name, value)
+        given = [f"{tag}={rule}" for tag, rule in value.items()] if isinstance(value, Mapping) else value
+        if not isinstance(given, (list, tuple)) or not all(isinstance(one, str) and one.count(";") == 0 for one in given):
+            raise ArgumentError(f"{name} is {brief(value)}; it must be conditions by names, without semicolons")
+        return ";".join(text_of(name, one) for one in given)
+
+    def argument(self) -> dict[str, Any]:
+        return {"metavar": "NAME=CONDITION", "action": _JoinRules}
+
+
+class _JoinRules(argparse.Action):
+    """Put each rule behind those before it."""
+
+    def __call__(self, _: object, namespace: argparse.Namespace, value: Any, __: object = None) -> None:
+        rules = getattr(namespace, self.dest, None)
+        setattr(namespace, self.dest, f"{rules};{value}" if rules else value)
 
 
 class Places(Option):

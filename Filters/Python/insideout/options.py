@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 from .declared import CONSTANTS, DECLARED
 from .errors import ArgumentError
 from .lengths import Length, diagonal_of, share_of
-from .option_kinds import ChosenFacets, Decision, Dimensions, Lengths, Names, Option, Places, Scale, Seeds, kind_of, owner_of
+from .option_kinds import ChosenFacets, Decision, Dimensions, Lengths, Names, Option, Places, Rules, Scale, Seeds, TagRules, kind_of, owner_of
 from .vtkFiltersInsideOut import vtkBoundaryLayers, vtkRobustTriangulate
 
 Orientation = Literal["automatic", "as-given", "reverse", "outward"]
@@ -46,6 +46,7 @@ class SurfaceOptions:
     dimension: Dimension = "automatic"
     non_participating_array: Optional[str] = None
     tag_array: Optional[str] = None
+    tag_rules: Optional[TagRules] = None
     merge_coplanar_pieces: bool = False
     split_seams: bool = False
 
@@ -214,10 +215,16 @@ _KINDS: dict[str, type[Option]] = {
     **dict.fromkeys(LENGTHS, Lengths),
     "priority": Names,
     "layer_tags": Names,
+    "tag_rules": Rules,
     "constrained_facets_array": ChosenFacets,
     "refine": Decision,
 }
-_MORE_WORDS = {"priority": " Or a list of them.", "layer_tags": " Or a list of them."}
+_MORE_WORDS = {
+    "priority": " Or a list of them.",
+    "layer_tags": " Or a list of them.",
+    "tag_rules": " Or a dict of conditions by names, also functions: of the centers and unit normals of the input's polygons, as they are "
+    "given, both (n, 3), to n bools.",
+}
 _OR_PERCENT = ' Or "2%" of the diagonal of the input.'
 _FOR_SOLVERS = " On where the file that is to be written is for a solver: .msh, .inp, .mesh or .xdmf."
 

@@ -21,11 +21,12 @@ from .files import WRITABLE_SURFACES, Path, check_output, ending
 from .inputs import path_of
 from .layering import layered
 from .lengths import Length
-from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
+from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, TagRules, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
 from .results import MeshResult, counted
 from .solid_files import WRITABLE_GRIDS, check_format, check_holds_layers, check_holds_triangles, is_for_solver, write_result
 from .statistics import Statistics
+from .tagging import with_functions_as_arrays, without_arrays_of_functions
 from .verdict import verdict
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
 
@@ -195,6 +196,7 @@ def tetrahedralize(
         options = options.for_solver() if is_for_solver(output) else options
     polygons, warnings, body_array = as_bodies(surface, options.factor(), options.body_array)
     options = options.measured_on(polygons)
+    polygons, options = with_functions_as_arrays(polygons, options)
     algorithm: Any = options.set_on(vtkRobustTetrahedralize())
     algorithm.SetBodyArrayName(body_array or "")
     if options.is_planar(polygons):
@@ -208,6 +210,8 @@ def tetrahedralize(
     algorithm.SetGenerateHull(not options.surface_only)
     warnings += in_words_of_python(run(algorithm, progress))
     solid, boundary, outliers, hull = (_copy_of(algorithm.GetOutputDataObject(port)) for port in range(4))
+    for output_of_facets in (boundary, outliers):
+        without_arrays_of_functions(output_of_facets)
     if options.surface_only:
         solid = hull = _without_cells(solid)
     elif hull.GetNumberOfCells() == 0:

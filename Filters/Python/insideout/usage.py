@@ -105,6 +105,7 @@ _OTHERS: dict[str, dict[str, Any]] = {
 OTHER_FLAGS = {
     "output": ["-o"],
     "surface_treatment": ["--surface"],
+    "tag_rules": ["--tag"],
     "quadratic_cells": ["--quadratic"],
     "body_array": ["--bodies"],
     "constrained_facets_array": ["--constrained-array"],
