@@ -12,6 +12,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+
 #include <new>
 
 using namespace insideout;
@@ -37,6 +39,7 @@ void vtkSolidWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "MshVersion: " << this->MshVersion << "\n";
+  os << indent << "CellsOnly: " << this->CellsOnly << "\n";
   os << indent << "RefusedCells: " << this->RefusedCells << "\n";
   os << indent << "PoorCells: " << this->PoorCells << "\n";
 }
@@ -77,10 +80,18 @@ void vtkSolidWriter::WriteFile()
       }
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Writing });
       auto* boundary = vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
-      const SolidMesh solid = vtkInsideOut::ReadSolid(this->GetInput(), boundary);
+      SolidMesh solid = vtkInsideOut::ReadSolid(this->GetInput(), boundary);
       const SolverFitness fitness =
         FitnessForSolver(PointsInFile(this->FileName, solid.Points), solid.Cells, solid.Midpoints,
           solid, solid.RegionOfCell, monitor, { Stages::Writing, 0, 0 });
+      if (this->CellsOnly)
+      {
+        solid.Faces.clear();
+        solid.TagOfFace.clear();
+        solid.Tags.clear();
+        std::fill(solid.RegionOfCell.begin(), solid.RegionOfCell.end(), 0);
+        solid.Regions = { { "solid", 1 } };
+      }
       WriteSolid(this->FileName, solid, insideout::MshVersion(this->MshVersion), monitor);
       this->RefusedCells = fitness.RefusedCells;
       this->PoorCells = fitness.PoorCells;

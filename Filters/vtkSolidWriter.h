@@ -84,6 +84,14 @@ public:
   ///@}
 
   ///@{
+  /** Leave boundary and regions away, for programs that take one block of nodes and one of
+   * elements. Default off. */
+  vtkSetMacro(CellsOnly, bool);
+  vtkGetMacro(CellsOnly, bool);
+  vtkBooleanMacro(CellsOnly, bool);
+  ///@}
+
+  ///@{
   /**
    * The second input: triangles of the boundary, with the cell array BoundaryTag. Optional.
    */
@@ -106,6 +114,7 @@ protected:
 
   char* FileName = nullptr;
   int MshVersion = MSHVERSION_4_1;
+  bool CellsOnly = false;
   vtkIdType RefusedCells = 0;
   vtkIdType PoorCells = 0;
 

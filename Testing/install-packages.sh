@@ -36,8 +36,9 @@ packages="$packages libcgal-demo xvfb xauth"
   assimp-utils python3-stl python3-open3d python3-yaml"
 
 # Other builds: a second compiler with its sanitizers, their symbolizer and its OpenMP; wheels. A browser that shows pages.
+# FEniCS, which bends a beam.
 [ "${1-}" != --all ] || packages="$packages clang-14 libclang-rt-14-dev libomp-14-dev llvm-14
-  python3-pip python3-wheel chromium"
+  python3-pip python3-wheel chromium python3-dolfinx-real"
 
 missing=
 for package in $packages; do

@@ -131,7 +131,7 @@ PROBE = [
     *[("Accuracy", [4], {"Method": 3}), ("FacetsAtOnce", [16], {}), *QUERY],
 ]
 SIZING = [("SizingArrayName", ["Size"], {}), ("BackgroundData", ["@places"], {"SizingArrayName": "Size"})]
-SOLID_FILES = [("FileName", ["x.msh", "x.inp", "x.mesh"], {}), ("MshVersion", [1], {"FileName": "x.msh"}), ("BoundaryData", ["@first boundary"], {"FileName": "x.msh"})]
+SOLID_FILES = [("FileName", ["x.msh", "x.inp", "x.mesh"], {}), ("MshVersion", [1], {"FileName": "x.msh"}), ("CellsOnly", [True], {"FileName": "x.msh"}), ("BoundaryData", ["@first boundary"], {"FileName": "x.msh"})]
 STENCIL = [("Threshold", [0.25], {}), *ORIENTATION, *COUNTING]
 SURFACE, SOLID, PLACES = ({"InputDataObject": name} for name in ("@surface", "@solid", "@places"))
 SURFACE_FILES = ["x.ply", "x.obj", "x.off", "x.stl"]

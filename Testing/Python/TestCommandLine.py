@@ -99,7 +99,8 @@ class Success(CommandLine):
                 with open(report, encoding="utf-8") as file:
                     found = json.load(file)
                 is_surface = ending in (".vtp", ".ply", ".obj", ".off", ".stl", ".glb", ".3mf")
-                self.assertEqual(found["outputs"], {"surface" if is_surface else "solid": output})
+                more = {"tags": self.path("result_boundary.xdmf")} if ending == ".xdmf" else {}
+                self.assertEqual(found["outputs"], {"surface" if is_surface else "solid": output, **more})
                 self.assertEqual((found["parameters"]["scale"], found["statistics"]["Scale"]), (0.1, 0.1))
                 self.assertAlmostEqual(found["statistics"]["Volume"], 15 / 8000, delta=1e-15)
                 self.assertIn("coordinates multiplied by 0.1", done.stdout)
@@ -131,17 +132,7 @@ class Success(CommandLine):
 
     def test_what_a_format_needs_is_known_before_the_work(self):
         source = self.file("box.ply", surfaces.box())
-        missing = self.path("missing")
-        for module in ("meshio", "h5py"):
-            os.mkdir(missing)
-            with open(os.path.join(missing, module + ".py"), "w", encoding="utf-8") as file:
-                file.write("raise ImportError\n")
-            path = os.pathsep.join([missing, os.environ.get("PYTHONPATH", "")])
-            done = run(source, self.path("solid.xdmf"), env={**os.environ, "PYTHONPATH": path})
-            self.check_failure(done, f"{module}", "is not installed: apt-get install python3-" + module)
-            self.assertEqual(len(done.stderr.splitlines()), 1, "work was begun")
-            shutil.rmtree(missing)
-        for ending in (".msh", ".inp", ".mesh"):
+        for ending in (".msh", ".inp", ".mesh", ".xdmf"):
             done = run(source, self.path("solid" + ending), "--merge-coplanar-pieces")
             self.check_failure(done, "--merge-coplanar-pieces", "solid" + ending)
             self.assertEqual(len(done.stderr.splitlines()), 1, "work was begun")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The examples in Examples/Mechanics, at small sizes: CalculiX takes the meshes, and its answers are what theory says."""
 
+import importlib.util
 import re
 import subprocess
 import sys
@@ -44,6 +45,11 @@ class TestMechanics(unittest.TestCase):
         self.assertAlmostEqual(load, reaction, delta=1e-5 * load)
         (holes,) = self.numbers("closed by hand #", said)
         self.assertLess(abs(holes), 1e-3)
+
+    @unittest.skipIf(importlib.util.find_spec("dolfinx") is None, "python3-dolfinx-real is not installed")
+    def test_fenics_bends_a_beam_by_its_tags(self):
+        (share,) = self.numbers("goes down [0-9.]+, # of theory", self.run_example("beam.py", "0.5"))
+        self.assertAlmostEqual(share, 1, delta=0.01)
 
     def test_the_results_on_a_bracket_are_read_back_as_a_grid(self):
         self.run_example("bracket.py", "8")

@@ -25,7 +25,7 @@ USAGE_ERROR = 2
 _NOT_GIVEN: dict[str, Any] = dict.fromkeys(
     (
         *("files", "expression", "points", "distance", "sizes", "output", "hull", "boundary", "outliers", "plot", "marked", "report"),
-        *("msh_version", "format", "together", "timeout", "threads", "quiet", "json", "check", "defects", "force", "is_output_told"),
+        *("msh_version", "cells_only", "format", "together", "timeout", "threads", "quiet", "json", "check", "defects", "force", "is_output_told"),
         *("dry_run", "from", "to", *DECK_OPTIONS),
     )
 )

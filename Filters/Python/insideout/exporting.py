@@ -76,9 +76,7 @@ def mesh_of_solid(solid: Tetrahedra, boundary: TriangleSurface) -> Any:
     """Tetrahedra and the triangles of their boundary as one meshio.Mesh: see Tetrahedralization.to_meshio."""
     meshio = import_package("meshio")
     kind, nodes = solid.kind(), solid.cells
-    triangles = _triangles_there(solid, boundary)
-    if kind == "tetra10":
-        triangles = np.hstack([triangles, _midpoints(nodes, triangles)])
+    triangles = nodes_of_boundary(solid, boundary)
     groups = (
         _Groups(3, kind, nodes, _numbers(solid.cell_arrays.get("RegionId"), len(nodes))),
         _Groups(2, "triangle" if kind == "tetra" else "triangle6", triangles, _numbers(boundary.cell_arrays.get("BoundaryTag"), len(triangles))),
@@ -93,6 +91,17 @@ def mesh_of_solid(solid: Tetrahedra, boundary: TriangleSurface) -> Any:
     point_data = {**scalars_and_vectors(solid.point_arrays), ENTITIES: _entities(len(solid.points), groups)}
     field_data = _field_data(groups, boundary.tag_names)
     return meshio.Mesh(solid.points, cells, point_data=point_data, cell_data=cell_data, field_data=field_data)
+
+
+def nodes_of_boundary(solid: Tetrahedra, boundary: TriangleSurface) -> NDArray[np.int64]:
+    """The triangles of a boundary by the points of the tetrahedra, with midpoints where these have some."""
+    triangles = _triangles_there(solid, boundary)
+    faces = np.sort(np.vstack([solid.cells[:, np.array(FACES)].reshape(-1, 3), triangles]), axis=1)
+    _, ids = np.unique(faces, axis=0, return_inverse=True)
+    alone = ~np.isin(ids.ravel()[-len(triangles) :], ids.ravel()[: -len(triangles)]) if len(triangles) else np.zeros(0, bool)
+    if alone.any():
+        raise Error(f"triangle {int(np.argmax(alone))} of the boundary is no face of a tetrahedron")
+    return np.hstack([triangles, _midpoints(solid.cells, triangles)]) if solid.kind() == "tetra10" else triangles
 
 
 class _Groups(NamedTuple):

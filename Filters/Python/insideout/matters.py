@@ -99,6 +99,8 @@ RULES = (
         lambda asked: ".msh" not in (ending(asked.options.output or ""), ending(asked.options.hull or "")),
         "it is for .msh files, and none is to be written",
     ),
+    Rule(("cells_only",), lambda asked: ending(asked.options.output or "") not in (".msh", ".inp", ".mesh"), "it is for .msh, .inp and .mesh files"),
+    Rule(("cells_only",), lambda asked: asked.has("material"), "supports and loads take tags"),
     Rule(("from",), lambda asked: not asked.has("to"), "it takes --to"),
     Rule(("to",), lambda asked: not asked.has("from"), "it takes --from"),
     Rule(("scale",), lambda asked: asked.has("from"), "--from and --to are a scale"),

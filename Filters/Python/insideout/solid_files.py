@@ -4,26 +4,23 @@
 from __future__ import annotations
 
 import os
-from typing import Dict, Literal, Mapping, Optional, Union, get_args
+from typing import Dict, Literal, Optional, get_args
 
-import numpy as np
-from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .bodies import outer_boundary
 from .data import Tetrahedra, Triangles, as_type, has_layers, is_flat
 from .deck import Deck
 from .errors import ArgumentError, Error, one_of
-from .exporting import is_boundary_alone, scalars_and_vectors
+from .exporting import is_boundary_alone
 from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
 from .options import in_words_of_python
-from .packages import import_package
 from .pipeline import run, statistics_of, write_bytes
 from .vtkFiltersInsideOut import vtkSolidQuality, vtkSolidWriter
+from .xdmf import XDMF, boundary_beside, write_xdmf
 
 MshVersion = Literal["4.1", "2.2"]
 
-XDMF = ".xdmf"
 WRITABLE_SOLIDS = (".msh", ".inp", ".mesh")
 """Files for solvers that vtkSolidWriter writes, with regions and tags."""
 
@@ -38,11 +35,19 @@ def is_for_solver(path: Path) -> bool:
     return ending(path) in (*WRITABLE_SOLIDS, XDMF)
 
 
-def write_result(solid: vtkUnstructuredGrid, boundary: vtkPolyData, path: Path, msh_version: MshVersion = "4.1") -> list[str]:
+def write_result(
+    solid: vtkUnstructuredGrid, boundary: vtkPolyData, path: Path, msh_version: MshVersion = "4.1", cells_only: bool = False
+) -> list[str]:
     """Write a solid, or where the name has the ending of a surface its watertight boundary. Returns what is worth knowing of the file."""
     if ending(path) in WRITABLE_SURFACES:
         return write_surface(outer_boundary(boundary), path)
-    return write_solid(solid, path, boundary, msh_version)
+    return write_solid(solid, path, boundary, msh_version, cells_only=cells_only)
+
+
+def written_beside(path: Path, grid: vtkUnstructuredGrid, boundary: Optional[vtkPolyData]) -> dict[str, str]:
+    """The further files that `write_solid` writes, by what they hold."""
+    has_two = ending(path) == XDMF and boundary is not None and not is_flat(grid)
+    return {"tags": boundary_beside(os.fspath(path))} if has_two else {}
 
 
 def check_holds_layers(path: str, has_layers: bool) -> None:
@@ -64,25 +69,28 @@ def write_solid(
     msh_version: MshVersion = "4.1",
     figures: Optional[Dict[str, float]] = None,
     deck: Optional[Deck] = None,
+    cells_only: bool = False,
 ) -> list[str]:
     """Write tetrahedra in any of the formats that have them. No cell is changed.
 
     Returns what is worth knowing of the file: which cells a solver does not take. `figures` gets their counts. A deck completes
-    an .inp file. Raises `Error` that names the file.
+    an .inp file. `cells_only` leaves boundary and regions away. Raises `Error` that names the file.
     """
     figures = {} if figures is None else figures
     path = os.fspath(path)
     check_output(path, WRITABLE_GRIDS)
-    check_format(path)
     if is_boundary_alone(grid, boundary):
         raise Error(f"{path}: such a file has the solid's cells, and surface_only left these away")
     if is_flat(grid):
         check_holds_triangles(path)
+    if cells_only:
+        check_has_groups(path)
     if ending(path) in WRITABLE_SOLIDS:
         versions = get_args(MshVersion)
         writer = vtkSolidWriter()
         writer.SetInputData(grid)
         writer.SetBoundaryData(boundary)
+        writer.SetCellsOnly(cells_only)
         writer.SetMshVersion(versions.index(one_of(versions, "msh_version", msh_version)))
         warnings = in_words_of_python(run_writer(writer, path) if deck is None else _write_with_deck(writer, path, deck))
         figures.update({name: getattr(writer, "Get" + name)() for name in _FITNESS})
@@ -92,8 +100,17 @@ def write_solid(
         return []
     check_holds_layers(path, has_layers(grid))
     warnings = [] if is_flat(grid) or grid.GetNumberOfCells() == 0 else _fitness_of(grid, path, figures)
-    _write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path)
+    try:
+        write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path, boundary)
+    except Error as error:
+        raise error if path in str(error) or boundary_beside(path) in str(error) else Error(f"{path}: {error}") from None
     return warnings
+
+
+def check_has_groups(path: str) -> None:
+    """Raise `ArgumentError` unless a file of cells has groups, which `cells_only` leaves away."""
+    if ending(path) not in WRITABLE_SOLIDS:
+        raise ArgumentError(f"{path}: cells_only leaves away the groups of {', '.join(WRITABLE_SOLIDS)} files")
 
 
 def _fitness_of(grid: vtkUnstructuredGrid, path: str, figures: Dict[str, float]) -> list[str]:
@@ -122,34 +139,3 @@ def _write_with_deck(writer: vtkSolidWriter, path: str, deck: Deck) -> list[str]
         raise Error(f"{path}: {error}") from None
     write_bytes((mesh + text).encode(), path)
     return [warning.replace(whole, path) for warning in warnings]
-
-
-def check_format(path: Path) -> None:
-    """Raise `Error` where what writes this format is not installed."""
-    if ending(path) == XDMF:
-        import_package("meshio")
-        import_package("h5py", why=", which meshio takes for .xdmf,")
-
-
-def _wide(arrays: Mapping[str, NDArray]) -> dict[str, NDArray]:
-    """As meshio can write them as text: it takes no narrow integers, and has too few digits for floats."""
-    widened = {"f": np.float64, "i": np.int64, "u": np.uint64}
-    return {name: values.astype(widened[values.dtype.kind]) for name, values in scalars_and_vectors(arrays).items()}
-
-
-def _write_xdmf(grid: Union[Tetrahedra, Triangles], path: str) -> None:
-    """All in one file, as text: meshio puts numbers into a second one otherwise."""
-    kind, nodes = grid.kind(), grid.cells
-    cell_data = {name: [values] for name, values in _wide(grid.cell_arrays).items()}
-    mesh = import_package("meshio").Mesh(grid.points, [(kind, nodes)], point_data=_wide(grid.point_arrays), cell_data=cell_data)
-    with temporary_folder() as folder:
-        whole = os.path.join(folder, "whole.xdmf")
-        try:
-            import_package("meshio").write(whole, mesh, data_format="XML")
-            with open(whole, "rb") as file:
-                content = file.read()
-        except OSError as error:
-            raise Error(f"{path}: {error.strerror or error} in {folder}, where meshio writes it first") from None
-        except MemoryError:
-            raise Error(f"{path}: not enough memory to write it") from None
-    write_bytes(content, path)

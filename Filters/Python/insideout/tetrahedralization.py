@@ -24,7 +24,7 @@ from .lengths import Length
 from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, TagRules, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
 from .results import MeshResult, counted
-from .solid_files import WRITABLE_GRIDS, check_format, check_holds_layers, check_holds_triangles, is_for_solver, write_result
+from .solid_files import WRITABLE_GRIDS, check_holds_layers, check_holds_triangles, is_for_solver, write_result
 from .statistics import Statistics
 from .tagging import with_functions_as_arrays, without_arrays_of_functions
 from .verdict import verdict
@@ -189,7 +189,6 @@ def tetrahedralize(
     if output is not None:
         output = path_of("output", output)
         check_output(output, WRITABLE_GRIDS + WRITABLE_SURFACES)
-        check_format(output)
         check_holds_layers(output, makes_layers)
         if options.surface_only and ending(output) not in WRITABLE_SURFACES:
             raise Error(f"{output}: such a file has the solid's cells, and surface_only leaves these away")

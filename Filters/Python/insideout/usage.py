@@ -30,13 +30,13 @@ _UNITS = ("from", "to")
 OF_THE_RUN = ("output", "force", "dry_run", "report", "json", "format", "timeout", "threads", "quiet")
 """What each command has."""
 
-_MESH_FILES = ("hull", "boundary", "outliers", "plot", "msh_version")
+_MESH_FILES = ("hull", "boundary", "outliers", "plot", "msh_version", "cells_only")
 MESH_OPTIONS = (*_MESH_FILES, "together", *OPTIONS)
 
 DECK_OPTIONS = ("material", "fix", "pressure", "gravity")
 """What makes an .inp file a complete deck."""
 
-_OF_TETRAHEDRA = ("hull", "plot", "msh_version", "surface_only", "quadratic_cells", *LAYER_OPTIONS)
+_OF_TETRAHEDRA = ("hull", "plot", "msh_version", "cells_only", "surface_only", "quadratic_cells", *LAYER_OPTIONS)
 """What a repaired surface has no use for."""
 
 _OF_OUTPUT = ("output", "force", "dry_run")
@@ -72,6 +72,10 @@ _OTHERS: dict[str, dict[str, Any]] = {
     "to": {"choices": tuple(UNITS), "help": "the unit of all that is written, and of all lengths that are given; goes with --from"},
     "report": {"metavar": "FILE.json", "help": "what was found and done, also when it fails"},
     "msh_version": {"choices": get_args(MshVersion), "help": "the version of .msh files; 4.1 by default, 2.2 for programs that know no other"},
+    "cells_only": {
+        "action": "store_true",
+        "help": "leave boundary and regions away in an .msh, .inp or .mesh file: one block of nodes and one of elements, as MuJoCo takes it",
+    },
     "format": {
         "metavar": "KIND",
         "choices": [known[1:] for known in READABLE_SURFACES],
@@ -114,7 +118,7 @@ OTHER_FLAGS = {
 """Short ones, which help tells, and earlier names, which it does not."""
 
 TOPICS: dict[str, Sequence[str]] = {
-    "files": ("output", "force", "hull", "boundary", "outliers", "plot", "defects", "marked", "report", "json", "dry_run", "msh_version", "format"),
+    "files": ("output", "force", "hull", "boundary", "outliers", "plot", "defects", "marked", "report", "json", "dry_run", "msh_version", "cells_only", "format"),
     "surface": ("scale", *_UNITS, *(name for name in TOPICS_OF_OPTIONS["surface"] if name != "scale")),
     "bodies": ("together", *TOPICS_OF_OPTIONS["bodies"]),
     "segmentation": TOPICS_OF_OPTIONS["segmentation"],

@@ -24,6 +24,7 @@ def write(
     *,
     boundary: Optional[vtkPolyData] = None,
     msh_version: MshVersion = "4.1",
+    cells_only: bool = False,
 ) -> None:
     """Write a result, a surface, tetrahedra or a grid of distances, whole or not at all; the ending of the file's name says how.
 
@@ -32,12 +33,14 @@ def write(
     boundary     of tetrahedra alone, for solvers: the triangles of their boundary, with tags; without them
                  the faces of one cell are a group. A result brings its own
     msh_version  of .msh files: "4.1", or "2.2" for programs that know no other
+    cells_only   leave boundary and regions away: one block of nodes and one of elements
 
     .vtu               VTK's own: tetrahedra with all arrays. Names in field data become names of components, for
                        meshio reads no strings there
     .msh, .inp, .mesh  for gmsh, for CalculiX and Abaqus, and for Medit: tetrahedra by regions and the boundary's
                        triangles by tags, with their names (the VTK class vtkSolidWriter says how)
-    .xdmf              tetrahedra with all arrays, by meshio; FacetIds and the like as FacetIds_0 to _3
+    .xdmf              tetrahedra with all arrays, for FEniCS; FacetIds and the like as FacetIds_0 to _3. NAME_boundary.xdmf
+                       gets the boundary's triangles, with the same points and BoundaryTag as the first array
     .vtp, .ply, .stl, .obj, .off, .glb, .3mf
                        a surface; of a result the solid's watertight boundary, without interfaces between bodies
 
@@ -58,9 +61,9 @@ def write(
     if isinstance(data, DistanceGrid):
         write_distances(data, path)
     elif isinstance(data, Tetrahedralization):
-        tell(write_result(data.solid, boundary or data.boundary, path, msh_version))
+        tell(write_result(data.solid, boundary or data.boundary, path, msh_version, cells_only))
     elif isinstance(data, vtkUnstructuredGrid):
-        tell(write_solid(data, path, boundary, msh_version))
+        tell(write_solid(data, path, boundary, msh_version, cells_only=cells_only))
     elif isinstance(data, vtkPolyData):
         tell(write_surface(data, path))
     else:

@@ -10,7 +10,7 @@ from ..booleans import Boolean, boolean
 from ..files import WRITABLE_SURFACES, ending, write_surface
 from ..interruption import work_on
 from ..pipeline import Error
-from ..solid_files import WRITABLE_GRIDS, check_format, write_solid
+from ..solid_files import WRITABLE_GRIDS, write_solid, written_beside
 from ..stages import TETRAHEDRALIZE, WRITING
 from ..summary import boolean_summary
 from ..usage import SET_OPTIONS
@@ -34,7 +34,6 @@ class BooleanJob(Job):
 
     def check(self) -> None:
         super().check()
-        check_format(self.files.output or "")
         self.check_merging()
 
     def goes_without_cells(self) -> bool:
@@ -71,6 +70,7 @@ class BooleanJob(Job):
         else:
             self.warnings = self.warnings + write_surface(result.surface, output)
         self.outputs["solid" if takes_cells else "surface"] = output
+        self.outputs.update(written_beside(output, result.solid, result.surface) if takes_cells else {})
         if boundary is not None:
             work_on(boundary)
             self.warnings = self.warnings + write_surface(result.surface, boundary)

@@ -25,7 +25,7 @@ from ..options import LENGTHS, OPTIONS, Options, flag_of, in_words_of_command
 from ..pipeline import Error, write_bytes
 from ..places import QUERIES
 from ..progress import StageBars
-from ..solid_files import WRITABLE_SOLIDS
+from ..solid_files import is_for_solver
 from ..stages import READING
 from ..verdict import verdict
 from ..version import __version__
@@ -112,7 +112,7 @@ class Job:
     def check_merging(self) -> None:
         """Raise `Error` where the solid's file takes a boundary whose triangles are no faces of its tetrahedra any more."""
         output = self.files.output or ""
-        if self.settings.merge_coplanar_pieces and ending(output) in WRITABLE_SOLIDS:
+        if self.settings.merge_coplanar_pieces and is_for_solver(output):
             raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
 
     def naming(self, error: str) -> str:

@@ -21,13 +21,14 @@ from ..hints import hints_for_printing
 from ..interruption import work_on
 from ..options import LAYER_OPTIONS, OPTIONS, flag_of
 from ..pipeline import Error
-from ..solid_files import WRITABLE_GRIDS, MshVersion, check_format, check_holds_triangles, is_for_solver, write_solid
+from ..solid_files import WRITABLE_GRIDS, MshVersion, check_holds_triangles, is_for_solver, write_solid, written_beside
 from ..stages import DRAWING, LAYERS, REFINE, TETRAHEDRALIZE, WRITING
 from ..summary import defects, seams, summary, tetrahedralizer
 from ..tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from ..usage import CHECK_OPTIONS
 from ..verdict import verdict
 from ..vtkFiltersInsideOut import vtkBoundaryLayers, vtkRobustTetrahedralize, vtkRobustTriangulate
+from ..xdmf import XDMF, boundary_beside
 from .job import Job
 
 
@@ -73,14 +74,15 @@ class MeshJob(Job):
         super().check()
         output = self.files.output or ""
         self.check_merging()
-        for path in (output, self.files.hull or ""):
-            check_format(path)
         if input_ending(self.files.surface) == CURVE or str(self.settings.dimension) == "2":
             self.check_plane()
             for name in self.settings.left_out_by(vtkRobustTriangulate()):
                 told = "together" if name == "body_array" and self.options.together else name
                 if name != "surface_only":
                     raise ArgumentError(f"{flag_of(told)} does nothing in a plane, where {self.files.surface} lies")
+        beside = boundary_beside(output) if ending(output) == XDMF else None
+        if beside in (self.files.hull, self.files.boundary, self.files.outliers) and beside:
+            raise ArgumentError(f"{beside} gets the tags of {output}: give another name")
         for taking in (output, self.files.hull or "", self.files.plot or ""):
             if self.settings.surface_only and taking and ending(taking) not in WRITABLE_SURFACES:
                 raise Error(f"{taking}: takes tetrahedra, which --surface-only goes without")
@@ -128,6 +130,8 @@ class MeshJob(Job):
             work_on(path)
             self.warnings = self.warnings + (write(data, path) or [])
             self.outputs[kind] = path
+            if kind == "solid":
+                self.outputs.update(written_beside(path, result.solid, result.boundary))
         self.hints = self.hints_of(result)
         self.bars.finish()
         self.statistics["SecondsWrite"] = time.monotonic() - began
@@ -152,7 +156,7 @@ class MeshJob(Job):
         version: MshVersion = self.options.msh_version or "4.1"
 
         def write_with_boundary(solid: Tetrahedra, path: str) -> list[str]:
-            return write_solid(solid, path, result.boundary, version, self.statistics, self.deck)
+            return write_solid(solid, path, result.boundary, version, self.statistics, self.deck, bool(self.options.cells_only))
 
         def write_hull(hull: Tetrahedra, path: str) -> None:
             write_solid(hull, path, msh_version=version)  # no option changes its cells: advice on them is left out

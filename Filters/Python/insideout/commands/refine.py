@@ -11,7 +11,7 @@ from ..files import READABLE_SOLIDS
 from ..interruption import work_on
 from ..options import REFINING_OPTIONS
 from ..refinement import refine
-from ..solid_files import WRITABLE_GRIDS, check_format, write_solid
+from ..solid_files import WRITABLE_GRIDS, write_solid
 from ..stages import REFINE, WRITING
 from ..summary import refinement_summary
 from ..vtkFiltersInsideOut import vtkRefineTetrahedra
@@ -29,10 +29,6 @@ class RefineJob(Job):
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {"output": WRITABLE_GRIDS}
-
-    def check(self) -> None:
-        super().check()
-        check_format(self.files.output or "")
 
     def work(self) -> None:
         solid = self.read_solid()
