@@ -12,58 +12,89 @@ namespace
 /** Ways to triangulate fans that are tried: from one end, from the other, by cutting ears. */
 constexpr int WaysToTriangulate = 3;
 
+/** Faces around the point in one plane, from the edge before it to the one behind it, or a disk. */
+struct Fan
+{
+  Id Facet; ///< None for faces of the hull and for free faces that only separate sectors
+  std::vector<Id> Points; ///< the other ends of the edges from the point, in order
+  bool IsClosed;          ///< the last point is beside the first
+  std::vector<Triangle> Pieces;
+};
+
+/** What is around a point that is to go. */
+struct Surroundings
+{
+  Id Point;
+  std::vector<Id> Star;
+  Id Segment; ///< that the point splits, None for none, and its neighbors there
+  Id Before = None;
+  Id Behind = None;
+  std::vector<Fan> Fans;
+  std::vector<Sector> Sectors;
+};
+
 /** Whether the corners a, b, c of a cell and its fourth are an even permutation of its corners. */
 bool IsEven(const FlippableMesh& mesh, Id cell, Id a, Id b, Id c)
 {
   const auto& others = OtherCorners[mesh.CornerIndex(cell, a)][mesh.CornerIndex(cell, b)];
   return mesh.Cell(cell).Corners[others[0]] == c;
 }
-} // namespace
 
 // --- What lies on the point ----------------------------------------------------------------------
 
-void PointDissolver::FindSupport(Id point)
+/** @return whether the segment, if there is one, goes on on both sides */
+bool FindStar(const ExactState& state, Surroundings& around)
 {
-  this->Star.clear();
-  this->Mesh.Star(point, this->Star);
-  this->Segment = this->Segments.Around(point);
-  if (this->Segment != None)
+  const FlippableMesh& mesh = state.Mesh;
+  mesh.Star(around.Point, around.Star);
+  around.Segment = state.Segments.Around(around.Point);
+  if (around.Segment == None)
   {
-    const std::array<Id, 2> ends = this->Segments.NeighborsOnPath(this->Segment, point);
-    this->Before = ends[0];
-    this->Behind = ends[1];
-    if (this->Mesh.FindEdge(point, this->Before) == None ||
-      this->Mesh.FindEdge(point, this->Behind) == None)
-    {
-      this->Star.clear(); // a segment that could be recovered in part only
-    }
+    return !around.Star.empty();
   }
+  const std::array<Id, 2> ends = state.Segments.NeighborsOnPath(around.Segment, around.Point);
+  around.Before = ends[0];
+  around.Behind = ends[1];
+  return !around.Star.empty() && mesh.FindEdge(around.Point, around.Before) != None &&
+    mesh.FindEdge(around.Point, around.Behind) != None;
 }
 
-bool PointDissolver::IsHullFace(Id cell, int face) const
+/** The cells around the edge from the point to another. */
+EdgeRing RingTo(const FlippableMesh& mesh, Id point, Id other)
 {
-  return this->Mesh.IsInfinite(cell) !=
-    this->Mesh.IsInfinite(this->Mesh.Cell(cell).Neighbors[face]);
+  EdgeRing ring;
+  mesh.Ring(point, other, mesh.FindEdge(point, other), ring);
+  return ring;
+}
+
+/** The face between two cells of a ring, of the one that begins with its point k. */
+int FaceAt(const FlippableMesh& mesh, const EdgeRing& ring, std::size_t k)
+{
+  return mesh.CornerIndex(ring.Cells[k], ring.Points[(k + 1) % ring.Points.size()]);
+}
+
+bool IsHullFace(const FlippableMesh& mesh, Id cell, int face)
+{
+  return mesh.IsInfinite(cell) != mesh.IsInfinite(mesh.Cell(cell).Neighbors[face]);
 }
 
 /** Continue a fan of two points. */
-bool PointDissolver::FollowFan(Id point, bool onHull, Fan& fan) const
+bool FollowFan(const FlippableMesh& mesh, const Surroundings& around, bool onHull, Fan& fan)
 {
   const Id first = fan.Points[0];
-  EdgeRing ring;
-  while (this->Segment == None || fan.Points.back() != this->Behind)
+  while (around.Segment == None || fan.Points.back() != around.Behind)
   {
     const Id before = fan.Points[fan.Points.size() - 2];
     const Id here = fan.Points.back();
-    this->Mesh.Ring(point, here, this->Mesh.FindEdge(point, here), ring);
+    const EdgeRing ring = RingTo(mesh, around.Point, here);
     Id next = None;
     for (std::size_t k = 0; k < ring.Points.size() && next == None; ++k)
     {
       const Id cell = ring.Cells[k];
       const Id p = ring.Points[k];
-      const int face = this->Mesh.CornerIndex(cell, ring.Points[(k + 1) % ring.Points.size()]);
-      const bool belongs = fan.Facet != None ? this->Mesh.Cell(cell).Facets[face] == fan.Facet
-                                             : onHull && this->IsHullFace(cell, face);
+      const int face = FaceAt(mesh, ring, k);
+      const bool belongs = fan.Facet != None ? mesh.Cell(cell).Facets[face] == fan.Facet
+                                             : onHull && IsHullFace(mesh, cell, face);
       if (belongs && p != before)
       {
         next = p;
@@ -76,30 +107,29 @@ bool PointDissolver::FollowFan(Id point, bool onHull, Fan& fan) const
     if (next == first)
     {
       fan.IsClosed = true;
-      return this->Segment == None;
+      return around.Segment == None;
     }
     fan.Points.push_back(next);
   }
   return true;
 }
 
-bool PointDissolver::FindFans(Id point)
+bool FindFans(const FlippableMesh& mesh, Surroundings& around)
 {
-  this->Fans.clear();
-  if (this->Segment != None)
+  around.Fans.clear();
+  if (around.Segment != None)
   {
-    EdgeRing ring;
-    this->Mesh.Ring(point, this->Before, this->Mesh.FindEdge(point, this->Before), ring);
+    const EdgeRing ring = RingTo(mesh, around.Point, around.Before);
     for (std::size_t k = 0; k < ring.Points.size(); ++k)
     {
       const Id cell = ring.Cells[k];
-      const int face = this->Mesh.CornerIndex(cell, ring.Points[(k + 1) % ring.Points.size()]);
-      const Id facet = this->Mesh.Cell(cell).Facets[face];
-      const bool onHull = this->IsHullFace(cell, face);
+      const int face = FaceAt(mesh, ring, k);
+      const Id facet = mesh.Cell(cell).Facets[face];
+      const bool onHull = IsHullFace(mesh, cell, face);
       if (facet != None || onHull)
       {
-        this->Fans.push_back({ facet, { this->Before, ring.Points[k] }, false, {} });
-        if (!this->FollowFan(point, onHull, this->Fans.back()))
+        around.Fans.push_back({ facet, { around.Before, ring.Points[k] }, false, {} });
+        if (!FollowFan(mesh, around, onHull, around.Fans.back()))
         {
           return false;
         }
@@ -109,14 +139,14 @@ bool PointDissolver::FindFans(Id point)
   }
   for (const bool facetsOnly : { true, false })
   {
-    for (std::size_t k = 0; k < this->Star.size() && this->Fans.empty(); ++k)
+    for (std::size_t k = 0; k < around.Star.size() && around.Fans.empty(); ++k)
     {
-      const Id id = this->Star[k];
-      const FlippableCell& cell = this->Mesh.Cell(id);
-      const int corner = this->Mesh.CornerIndex(id, point);
-      for (int face = 0; face < 4 && this->Fans.empty(); ++face)
+      const Id id = around.Star[k];
+      const FlippableCell& cell = mesh.Cell(id);
+      const int corner = mesh.CornerIndex(id, around.Point);
+      for (int face = 0; face < 4 && around.Fans.empty(); ++face)
       {
-        const bool onHull = this->IsHullFace(id, face);
+        const bool onHull = IsHullFace(mesh, id, face);
         if (face == corner || (facetsOnly ? cell.Facets[face] == None : !onHull))
         {
           continue;
@@ -129,8 +159,8 @@ bool PointDissolver::FindFans(Id point)
             fan.Points.push_back(cell.Corners[j]);
           }
         }
-        this->Fans.push_back(fan);
-        if (!this->FollowFan(point, onHull, this->Fans.back()))
+        around.Fans.push_back(fan);
+        if (!FollowFan(mesh, around, onHull, around.Fans.back()))
         {
           return false;
         }
@@ -144,35 +174,33 @@ bool PointDissolver::FindFans(Id point)
  * Free pairs of faces between the segment's two halves: cells beyond them need not be seen.
  * @return whether there is any
  */
-bool PointDissolver::AddSeparators(Id point)
+bool AddSeparators(const FlippableMesh& mesh, Surroundings& around)
 {
-  const std::size_t fans = this->Fans.size();
-  EdgeRing before;
-  EdgeRing behind;
-  this->Mesh.Ring(point, this->Before, this->Mesh.FindEdge(point, this->Before), before);
-  this->Mesh.Ring(point, this->Behind, this->Mesh.FindEdge(point, this->Behind), behind);
+  const std::size_t fans = around.Fans.size();
+  const EdgeRing before = RingTo(mesh, around.Point, around.Before);
+  const EdgeRing behind = RingTo(mesh, around.Point, around.Behind);
   for (const Id p : before.Points)
   {
-    const bool isTaken = std::any_of(this->Fans.begin(), this->Fans.end(),
+    const bool isTaken = std::any_of(around.Fans.begin(), around.Fans.end(),
       [p](const Fan& fan)
       { return std::find(fan.Points.begin(), fan.Points.end(), p) != fan.Points.end(); });
-    if (!isTaken && p != this->Mesh.Infinite() &&
+    if (!isTaken && p != mesh.Infinite() &&
       std::find(behind.Points.begin(), behind.Points.end(), p) != behind.Points.end())
     {
-      this->Fans.push_back({ None, { this->Before, p, this->Behind }, false, {} });
+      around.Fans.push_back({ None, { around.Before, p, around.Behind }, false, {} });
     }
   }
-  return this->Fans.size() > fans;
+  return around.Fans.size() > fans;
 }
 
-bool PointDissolver::IsWall(Id point, Id cell, int face) const
+bool IsWall(const FlippableMesh& mesh, const Surroundings& around, Id cell, int face)
 {
-  if (this->Mesh.Cell(cell).Facets[face] != None || this->IsHullFace(cell, face))
+  if (mesh.Cell(cell).Facets[face] != None || IsHullFace(mesh, cell, face))
   {
     return true;
   }
   // A face between the two halves of a separator.
-  if (this->Segment == None)
+  if (around.Segment == None)
   {
     return false;
   }
@@ -180,12 +208,12 @@ bool PointDissolver::IsWall(Id point, Id cell, int face) const
   bool onSegment = false;
   for (int k = 0; k < 4; ++k)
   {
-    const Id corner = this->Mesh.Cell(cell).Corners[k];
-    if (k == face || corner == point)
+    const Id corner = mesh.Cell(cell).Corners[k];
+    if (k == face || corner == around.Point)
     {
       continue;
     }
-    if (corner == this->Before || corner == this->Behind)
+    if (corner == around.Before || corner == around.Behind)
     {
       onSegment = true;
     }
@@ -195,15 +223,14 @@ bool PointDissolver::IsWall(Id point, Id cell, int face) const
     }
   }
   return onSegment &&
-    std::any_of(this->Fans.begin(), this->Fans.end(),
+    std::any_of(around.Fans.begin(), around.Fans.end(),
       [&](const Fan& fan) { return fan.Points.size() == 3 && fan.Points[1] == third; });
 }
 
 // --- Triangulating facets without the point ------------------------------------------------------
 
-bool PointDissolver::CutEars(Id off, int side, Fan& fan, int start) const
+bool CutEars(const ExactVertices& vertices, Id off, int side, Fan& fan, int start)
 {
-  const ExactVertices& vertices = this->Mesh.Vertices();
   std::vector<Id> rest = fan.Points;
   std::rotate(rest.begin(), rest.begin() + start % static_cast<int>(rest.size()), rest.end());
   while (rest.size() > 3)
@@ -237,28 +264,29 @@ bool PointDissolver::CutEars(Id off, int side, Fan& fan, int start) const
   return side * vertices.Orient(rest[0], rest[1], rest[2], off) > 0;
 }
 
-bool PointDissolver::TriangulateFans(Id point, int way)
+bool TriangulateFans(const FlippableMesh& mesh, Surroundings& around, int way)
 {
-  for (Fan& fan : this->Fans)
+  const ExactVertices& vertices = mesh.Vertices();
+  const Id point = around.Point;
+  for (Fan& fan : around.Fans)
   {
     fan.Pieces.clear();
-    const Id off = this->Mesh.VertexOffPlane(point, fan.Points[0], fan.Points[1]);
+    const Id off = mesh.VertexOffPlane(point, fan.Points[0], fan.Points[1]);
     if (off == None)
     {
       return false;
     }
-    const int side = this->Mesh.Vertices().Orient(point, fan.Points[0], fan.Points[1], off);
+    const int side = vertices.Orient(point, fan.Points[0], fan.Points[1], off);
     const std::size_t n = fan.Points.size();
     const bool isFlat = std::all_of(fan.Points.begin(), fan.Points.end(),
-      [&](Id p)
-      { return this->Mesh.Vertices().Orient(point, fan.Points[0], fan.Points[1], p) == 0; });
+      [&](Id p) { return vertices.Orient(point, fan.Points[0], fan.Points[1], p) == 0; });
     if (n < 3 || !isFlat)
     {
       return false;
     }
     if (way == WaysToTriangulate - 1 || fan.IsClosed)
     {
-      if (!this->CutEars(off, side, fan, way))
+      if (!CutEars(vertices, off, side, fan, way))
       {
         return false;
       }
@@ -268,7 +296,7 @@ bool PointDissolver::TriangulateFans(Id point, int way)
     for (std::size_t k = way == 0 ? 1 : 0; k + (way == 0 ? 1 : 2) < n; ++k)
     {
       const Triangle piece = { { fan.Points[k], fan.Points[k + 1], fan.Points[center] } };
-      if (side * this->Mesh.Vertices().Orient(piece[0], piece[1], piece[2], off) <= 0)
+      if (side * vertices.Orient(piece[0], piece[1], piece[2], off) <= 0)
       {
         return false;
       }
@@ -280,152 +308,148 @@ bool PointDissolver::TriangulateFans(Id point, int way)
 
 // --- Sectors -------------------------------------------------------------------------------------
 
-bool PointDissolver::FindSectors(Id point)
-{
-  this->Sectors.clear();
-  this->SectorOf.resize(static_cast<std::size_t>(this->Mesh.NumberOfCells()));
-  for (const Id cell : this->Star)
-  {
-    this->SectorOf[cell] = None;
-  }
-  std::vector<Id> cells;
-  for (const Id seed : this->Star)
-  {
-    if (this->SectorOf[seed] != None)
-    {
-      continue;
-    }
-    const Id number = static_cast<Id>(this->Sectors.size());
-    this->Sectors.emplace_back();
-    Sector& sector = this->Sectors.back();
-    sector.IsInfinite = this->Mesh.IsInfinite(seed);
-    this->SectorOf[seed] = number;
-    cells.assign(1, seed);
-    for (std::size_t next = 0; next < cells.size(); ++next)
-    {
-      const Id id = cells[next];
-      this->AddOuterWall(point, id, sector);
-      for (int k = 0; k < 4; ++k)
-      {
-        const FlippableCell& cell = this->Mesh.Cell(id);
-        if (cell.Corners[k] == point)
-        {
-          continue;
-        }
-        Id& neighbors = this->SectorOf[cell.Neighbors[k]];
-        if (neighbors == None && !this->IsWall(point, id, k))
-        {
-          neighbors = number;
-          cells.push_back(cell.Neighbors[k]);
-        }
-      }
-    }
-    SortUniquely(sector.Corners);
-  }
-  return this->AddFanWalls(point);
-}
-
 /** A cell's face across from the point is a wall. */
-void PointDissolver::AddOuterWall(Id point, Id cell, Sector& sector) const
+void AddOuterWall(const FlippableMesh& mesh, Id point, Id cell, Sector& sector)
 {
-  if (sector.IsInfinite)
+  if (!sector.IsInfinite)
   {
-    return;
+    const Triangle wall = mesh.FaceCorners(cell, mesh.CornerIndex(cell, point));
+    sector.Walls.push_back(wall);
+    sector.Corners.insert(sector.Corners.end(), wall.begin(), wall.end());
   }
-  const int corner = this->Mesh.CornerIndex(cell, point);
-  sector.Walls.push_back(this->Mesh.FaceCorners(cell, corner));
-  sector.Corners.insert(
-    sector.Corners.end(), sector.Walls.back().begin(), sector.Walls.back().end());
 }
 
 /** Each fan is a wall of the sectors on its two sides, which must be two. */
-bool PointDissolver::AddFanWalls(Id point)
+bool AddFanWalls(const FlippableMesh& mesh, const std::vector<Id>& sectorOf, Surroundings& around)
 {
-  for (const Fan& fan : this->Fans)
+  for (const Fan& fan : around.Fans)
   {
     Id cell;
     int face;
-    if (!this->Mesh.FindFace(point, fan.Points[0], fan.Points[1], cell, face))
+    if (!mesh.FindFace(around.Point, fan.Points[0], fan.Points[1], cell, face))
     {
       return false;
     }
-    const Id other = this->Mesh.Cell(cell).Neighbors[face];
-    if (this->SectorOf[cell] == this->SectorOf[other])
+    const Id other = mesh.Cell(cell).Neighbors[face];
+    if (sectorOf[cell] == sectorOf[other])
     {
       return false;
     }
     for (const Id side : { cell, other })
     {
-      const bool even = IsEven(this->Mesh, side, point, fan.Points[0], fan.Points[1]);
-      std::vector<Triangle>& walls = this->Sectors[this->SectorOf[side]].Walls;
+      const bool even = IsEven(mesh, side, around.Point, fan.Points[0], fan.Points[1]);
       for (Triangle piece : fan.Pieces)
       {
         if (!even)
         {
           std::swap(piece[0], piece[1]);
         }
-        walls.push_back(piece);
+        around.Sectors[sectorOf[side]].Walls.push_back(piece);
       }
     }
   }
   return true;
 }
 
-// --- All together --------------------------------------------------------------------------------
-
-void PointDissolver::MarkPieces() const
+bool FindSectors(ExactState& state, Surroundings& around)
 {
-  for (const Fan& fan : this->Fans)
+  const FlippableMesh& mesh = state.Mesh;
+  std::vector<Id>& sectorOf = state.Scratch.SectorOf; // told for cells of the star only
+  around.Sectors.clear();
+  sectorOf.resize(static_cast<std::size_t>(mesh.NumberOfCells()));
+  for (const Id cell : around.Star)
   {
-    for (const Triangle& piece : fan.Pieces)
-    {
-      this->Mesh.MarkFace(piece[0], piece[1], piece[2], fan.Facet);
-    }
+    sectorOf[cell] = None;
   }
+  std::vector<Id> cells;
+  for (const Id seed : around.Star)
+  {
+    if (sectorOf[seed] != None)
+    {
+      continue;
+    }
+    const Id number = static_cast<Id>(around.Sectors.size());
+    around.Sectors.emplace_back();
+    Sector& sector = around.Sectors.back();
+    sector.IsInfinite = mesh.IsInfinite(seed);
+    sectorOf[seed] = number;
+    cells.assign(1, seed);
+    for (std::size_t next = 0; next < cells.size(); ++next)
+    {
+      const FlippableCell& cell = mesh.Cell(cells[next]);
+      AddOuterWall(mesh, around.Point, cells[next], sector);
+      for (int k = 0; k < 4; ++k)
+      {
+        const Id neighbor = cell.Neighbors[k];
+        if (cell.Corners[k] != around.Point && sectorOf[neighbor] == None &&
+          !IsWall(mesh, around, cells[next], k))
+        {
+          sectorOf[neighbor] = number;
+          cells.push_back(neighbor);
+        }
+      }
+    }
+    SortUniquely(sector.Corners);
+  }
+  return AddFanWalls(mesh, sectorOf, around);
 }
 
-bool PointDissolver::Fill(Id point, VolumePoints volumePoints)
+bool Fill(ExactState& state, Surroundings& around, VolumePoints volumePoints)
 {
+  FlippableMesh& mesh = state.Mesh;
   // Where nothing but the segment itself is to stay, it does so if all cells meet in one of its
   // ends.
-  if (this->Fans.empty())
+  if (around.Fans.empty())
   {
     volumePoints = VolumePoints::None;
-    if (this->Segment != None)
+    if (around.Segment != None)
     {
-      this->Sectors[0].Corners = { this->Before, this->Behind };
+      around.Sectors[0].Corners = { around.Before, around.Behind };
     }
   }
   std::vector<Tetrahedron> fresh;
-  if (!this->Filler.Fill(this->Sectors, this->Mesh.Vertices().Nearest(point), volumePoints, fresh))
+  const Point inside = mesh.Vertices().Nearest(around.Point);
+  if (!FillSectors(mesh, around.Sectors, inside, volumePoints, fresh))
   {
     return false;
   }
-  this->Mesh.Replace(this->Star, fresh);
-  this->MarkPieces();
-  if (this->Segment != None)
+  mesh.Replace(around.Star, fresh);
+  for (const Fan& fan : around.Fans)
   {
-    this->Segments.Join(this->Segment, point);
+    for (const Triangle& piece : fan.Pieces)
+    {
+      mesh.MarkFace(piece[0], piece[1], piece[2], fan.Facet);
+    }
+  }
+  if (around.Segment != None)
+  {
+    state.Segments.Join(around.Segment, around.Point);
   }
   return true;
 }
+} // namespace
 
-bool PointDissolver::Dissolve(Id point, VolumePoints volumePoints)
+bool DissolvePoint(ExactState& state, Id point, VolumePoints volumePoints)
 {
-  this->FindSupport(point);
+  Surroundings around = {};
+  around.Point = point;
+  if (!FindStar(state, around))
+  {
+    return false;
+  }
   for (const bool separate : { false, true })
   {
-    if (this->Star.empty() || (separate && this->Segment == None) || !this->FindFans(point) ||
-      (separate && !this->AddSeparators(point)))
+    if ((separate && around.Segment == None) || !FindFans(state.Mesh, around) ||
+      (separate && !AddSeparators(state.Mesh, around)))
     {
       return false;
     }
-    const bool oneWay = std::all_of(
-      this->Fans.begin(), this->Fans.end(), [](const Fan& fan) { return fan.Points.size() <= 3; });
+    const bool oneWay = std::all_of(around.Fans.begin(), around.Fans.end(),
+      [](const Fan& fan) { return fan.Points.size() <= 3; });
     for (int way = 0; way < (oneWay ? 1 : WaysToTriangulate); ++way)
     {
-      if (this->TriangulateFans(point, way) && this->FindSectors(point) &&
-        this->Fill(point, volumePoints))
+      if (TriangulateFans(state.Mesh, around, way) && FindSectors(state, around) &&
+        Fill(state, around, volumePoints))
       {
         return true;
       }

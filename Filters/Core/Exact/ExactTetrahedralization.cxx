@@ -1,51 +1,125 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/ExactTetrahedralization.h"
 
-#include "Exact/EngineLimits.h"
-#include "Exact/RecoveryAttempt.h"
+#include "Exact/FlipTwins.h"
+#include "Exact/RecoverConstraints.h"
+#include "Exact/RecoverFacets.h"
+#include "Exact/RecoverLostFacets.h"
 #include "Exact/ValidFacets.h"
 
+#include <numeric>
 #include <utility>
 
 namespace insideout
 {
 namespace
 {
+/** Attempts from scratch before meshing without facets. */
+constexpr int Attempts = 8;
+
+/** The faces that facets lie on, each from the one of its two cells that comes first. */
+void CollectFaces(const FlippableMesh& mesh, const std::vector<Id>& renamed,
+  const std::vector<Id>& names, RawTetrahedra& result)
+{
+  for (Id id = 0; id < mesh.NumberOfCells(); ++id)
+  {
+    const FlippableCell& cell = mesh.Cell(id);
+    for (int k = 0; !mesh.IsDead(id) && k < 4; ++k)
+    {
+      if (cell.Facets[k] != None && cell.Neighbors[k] >= id)
+      {
+        const Triangle face = mesh.FaceCorners(id, k);
+        result.Faces.push_back({ { renamed[face[0]], renamed[face[1]], renamed[face[2]] } });
+        result.FacetOfFaces.push_back(names[cell.Facets[k]]);
+      }
+    }
+  }
+}
+
+/** The finite cells, and the faces with facets by these names. */
+RawTetrahedra ResultOf(
+  const FlippableMesh& mesh, const std::vector<Point>& points, const std::vector<Id>& names)
+{
+  RawTetrahedra result;
+  result.Points = points;
+  std::vector<Id> renamed(static_cast<std::size_t>(mesh.Vertices().Size()), None);
+  std::iota(renamed.begin(), renamed.begin() + mesh.Infinite(), 0);
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    if (mesh.IsDead(cell) || mesh.IsInfinite(cell))
+    {
+      continue;
+    }
+    result.Cells.push_back(mesh.Cell(cell).Corners);
+    for (Id& corner : result.Cells.back())
+    {
+      if (renamed[corner] == None)
+      {
+        renamed[corner] = static_cast<Id>(result.Points.size());
+        result.Points.push_back(mesh.Vertices().Nearest(corner));
+      }
+      corner = renamed[corner];
+    }
+  }
+  CollectFaces(mesh, renamed, names, result);
+  return result;
+}
+
+/**
+ * One attempt, from the beginning to its end.
+ * @param[in,out] names of the facets with area; where some have Steiner points without a place in
+ *   doubles they go, and there is no result
+ */
+bool Attempt(const std::vector<Point>& points, const std::vector<Triangle>& facets, SplitFrom from,
+  std::int64_t workPerElement, Monitor& monitor, std::vector<Id>& names,
+  ExactTetrahedralization& result)
+{
+  std::vector<Triangle> chosen;
+  for (const Id name : names)
+  {
+    chosen.push_back(facets[name]);
+  }
+  WorkBudget work(workPerElement * static_cast<std::int64_t>(points.size() + chosen.size()));
+  ExactState state(points, std::move(chosen), work, monitor);
+  std::vector<Id> all(names.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::set<Id> givenUp;
+  if (RecoverConstraints(state, all, from, false, -1, givenUp))
+  {
+    RecoverLostFacets(state, points, from);
+    FlipTwinsAway(state);
+    FindLostFacets(state); // marks facets that flips made faces by chance
+    result = { ResultOf(state.Mesh, points, names), work.Spent() };
+    return true;
+  }
+  std::vector<Id> kept;
+  for (const Id facet : Without(givenUp, all))
+  {
+    kept.push_back(names[facet]);
+  }
+  names = std::move(kept);
+  return false;
+}
+
 /** One attempt, and more without the facets that it has to give up, of which there are fewer each
  * time. */
 ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, SegmentRecovery::From from, std::int64_t workPerElement,
+  const std::vector<Triangle>& facets, SplitFrom from, std::int64_t workPerElement,
   Monitor& monitor)
 {
+  ExactTetrahedralization result;
   std::vector<Id> names = FacetsWithArea(points, facets);
   for (int attempts = 1;; ++attempts)
   {
-    std::vector<Triangle> chosen;
-    for (const Id name : names)
+    const std::size_t before = names.size();
+    if (Attempt(points, facets, from, workPerElement, monitor, names, result))
     {
-      chosen.push_back(facets[name]);
-    }
-    RecoveryAttempt attempt(points, chosen, workPerElement, monitor);
-    if (attempt.Run(from))
-    {
-      ExactTetrahedralization result = { attempt.Result(), attempt.WorkSpent() };
-      for (Id& facet : result.Tetrahedra.FacetOfFaces)
-      {
-        facet = names[facet];
-      }
       return result;
     }
-    std::vector<Id> kept;
-    for (Id f = 0; f < static_cast<Id>(names.size()); ++f)
+    if (attempts == Attempts || names.size() == before)
     {
-      if (attempt.FacetsGivenUp().count(f) == 0)
-      {
-        kept.push_back(names[f]);
-      }
+      names.clear(); // without facets there are no Steiner points, so this ends
     }
-    // Without facets there are no Steiner points, so this ends.
-    const bool isHopeless = attempts == EngineLimits::Attempts || kept.size() == names.size();
-    names = isHopeless ? std::vector<Id>() : std::move(kept);
   }
 }
 
@@ -75,7 +149,7 @@ ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
   ForwardMonitor forward(monitor);
   ExactTetrahedralization best;
   std::vector<Id> missing;
-  for (const auto from : { SegmentRecovery::From::LowerEnd, SegmentRecovery::From::HigherEnd })
+  for (const auto from : { SplitFrom::LowerEnd, SplitFrom::HigherEnd })
   {
     const bool isFirst = best.Tetrahedra.Cells.empty();
     if (!isFirst && Without(FacetsThatCross(points, facets, forward), missing).empty())

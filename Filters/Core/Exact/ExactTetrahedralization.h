@@ -24,7 +24,7 @@ struct ExactTetrahedralization
  * they end.
  *
  * It begins with the Delaunay tetrahedralization of the points. Edges of facets that are not there
- * are recovered by flips (FlipOperator), then the facets between them. Steiner points that lie
+ * are recovered by flips (Flips.h), then the facets between them. Steiner points that lie
  * exactly on a facet or segment cut into the mesh whatever flips do not recover; this always works.
  * They are removed again, or moved into the volume, after each cut, and once more after flips at
  * random around them; what is left on the surface is rounded to doubles where exact tests allow it.

@@ -26,27 +26,24 @@ constexpr std::int64_t DistancesPerWork = 8;
 
 /** A way out of a corner is good enough at this angle (its sine) to the walls. */
 constexpr double LeastRise = 0.05;
-} // namespace
 
-bool SectorFiller::SeesAll(const Sector& sector, Id apex) const
+bool SeesAll(const FlippableMesh& mesh, const Sector& sector, Id apex)
 {
   return std::all_of(sector.Walls.begin(), sector.Walls.end(),
     [&](const Triangle& wall)
     {
       return wall[0] == apex || wall[1] == apex || wall[2] == apex ||
-        this->Mesh.Vertices().Orient(wall[0], wall[1], wall[2], apex) > 0;
+        mesh.Vertices().Orient(wall[0], wall[1], wall[2], apex) > 0;
     });
 }
 
-Id SectorFiller::FindApex(const Sector& sector) const
+Id FindApex(const FlippableMesh& mesh, const Sector& sector)
 {
   const auto apex = std::find_if(sector.Corners.begin(), sector.Corners.end(),
-    [&](Id corner) { return this->SeesAll(sector, corner); });
+    [&](Id corner) { return SeesAll(mesh, sector, corner); });
   return apex == sector.Corners.end() ? None : *apex;
 }
 
-namespace
-{
 /** The inner sides of the walls, in floating point, relative to a point. */
 struct HalfSpaces
 {
@@ -152,17 +149,16 @@ Eigen::Vector3d Aside(Id vertex)
 {
   return { std::sin(1.0 + vertex), std::sin(2.0 + 3.0 * vertex), std::sin(3.0 + 7.0 * vertex) };
 }
-} // namespace
 
 /**
  * A new point that sees all walls. Where to look for it is a matter of floating point; whether it
  * is one is tested exactly.
  */
-Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
+Id NewApex(FlippableMesh& mesh, const Sector& sector, const Point& inside)
 {
-  const auto at = [this](Id p)
+  const auto at = [&mesh](Id p)
   {
-    const Point x = this->Mesh.Vertices().Nearest(p);
+    const Point x = mesh.Vertices().Nearest(p);
     return Eigen::Vector3d(x[0], x[1], x[2]);
   };
   const Eigen::Vector3d origin(inside[0], inside[1], inside[2]);
@@ -170,7 +166,7 @@ Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
   for (const Triangle& wall : sector.Walls)
   {
     const ExactVertices::Plane plane =
-      this->Mesh.Vertices().PlaneThrough(wall[0], wall[1], wall[2], inside);
+      mesh.Vertices().PlaneThrough(wall[0], wall[1], wall[2], inside);
     const Eigen::Vector3d normal(plane.Normal[0], plane.Normal[1], plane.Normal[2]);
     const double length = normal.stableNorm();
     if (length > 0 && std::isfinite(length) && std::isfinite(plane.Offset))
@@ -196,7 +192,7 @@ Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
       continue; // the same walls, and so the same place again
     }
     nearBefore = isNear;
-    this->Mesh.Work().Spend(
+    mesh.Work().Spend(
       StepsInward * static_cast<std::int64_t>(walls.Normals.size()) / DistancesPerWork);
     Eigen::Vector3d place = near < 0 ? WalkInward(walls) : LeaveNearWalls(walls, near * walls.Size);
     std::size_t nearest = 0;
@@ -205,33 +201,35 @@ Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
     {
       continue;
     }
-    place += origin + clearance / 4 * Aside(this->Mesh.Vertices().Size());
-    const Id apex = this->Mesh.AddVertex({ { place[0], place[1], place[2] } });
-    if (this->SeesAll(sector, apex))
+    place += origin + clearance / 4 * Aside(mesh.Vertices().Size());
+    const Id apex = mesh.AddVertex({ { place[0], place[1], place[2] } });
+    if (SeesAll(mesh, sector, apex))
     {
       return apex;
     }
-    this->Mesh.RemoveLastVertex();
+    mesh.RemoveLastVertex();
   }
   return None;
 }
 
-bool SectorFiller::Fill(const std::vector<Sector>& sectors, const Point& inside,
+} // namespace
+
+bool FillSectors(FlippableMesh& mesh, const std::vector<Sector>& sectors, const Point& inside,
   VolumePoints volumePoints, std::vector<Tetrahedron>& fresh)
 {
-  const Id first = this->Mesh.Vertices().Size();
+  const Id first = mesh.Vertices().Size();
   for (const Sector& sector : sectors)
   {
-    Id apex = sector.IsInfinite ? this->Mesh.Infinite() : this->FindApex(sector);
+    Id apex = sector.IsInfinite ? mesh.Infinite() : FindApex(mesh, sector);
     if (apex == None && volumePoints == VolumePoints::AsNeeded)
     {
-      apex = this->NewApex(sector, inside);
+      apex = NewApex(mesh, sector, inside);
     }
     if (apex == None)
     {
-      while (this->Mesh.Vertices().Size() > first)
+      while (mesh.Vertices().Size() > first)
       {
-        this->Mesh.RemoveLastVertex();
+        mesh.RemoveLastVertex();
       }
       return false;
     }

@@ -20,29 +20,12 @@ struct Sector
   bool IsInfinite = false;     ///< it is beyond the hull
 };
 
-/** Fills sectors with cells that meet in one point: a corner that sees all walls, or a new point.
+/**
+ * Append the cells of all sectors to `fresh`. The cells of each meet in one point: a corner that
+ * sees all its walls, or a new point.
+ * @param[in] inside a point that all walls are seen from, or nearly: new points are near it
+ * @return false, and no new point, if that cannot be done
  */
-class SectorFiller
-{
-public:
-  explicit SectorFiller(FlippableMesh& mesh)
-    : Mesh(mesh)
-  {
-  }
-
-  /**
-   * Append the cells of all sectors to `fresh`.
-   * @param[in] inside a point that all walls are seen from, or nearly: new points are near it
-   * @return false, and no new point, if that cannot be done
-   */
-  bool Fill(const std::vector<Sector>& sectors, const Point& inside, VolumePoints volumePoints,
-    std::vector<Tetrahedron>& fresh);
-
-private:
-  bool SeesAll(const Sector& sector, Id apex) const;
-  Id FindApex(const Sector& sector) const;
-  Id NewApex(const Sector& sector, const Point& inside) const;
-
-  FlippableMesh& Mesh;
-};
+bool FillSectors(FlippableMesh& mesh, const std::vector<Sector>& sectors, const Point& inside,
+  VolumePoints volumePoints, std::vector<Tetrahedron>& fresh);
 } // namespace insideout

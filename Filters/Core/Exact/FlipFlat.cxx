@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/FlipFlat.h"
 
-#include "Exact/EngineLimits.h"
 #include "Exact/FlipTarget.h"
 #include "Exact/SegmentWalk.h"
 
@@ -10,14 +9,21 @@
 
 namespace insideout
 {
+namespace
+{
+/** Flips in a plane for each edge crossed. Where the plane is triangulated all over, few are
+ * needed.
+ */
+constexpr std::size_t FlatFlipsPerCrossing = 8;
+
 /**
  * Find two points of the edge's ring in one plane with it, on its two sides, that are a strictly
  * convex quadrilateral with it, and turn the ring so that it begins with the first.
+ * @return the index of the second, 0 where there are none
  */
-bool FlatFlipper::FindQuadrilateral(Id u, Id v)
+std::size_t FindQuadrilateral(const FlippableMesh& mesh, Id u, Id v, EdgeRing& ring)
 {
-  const ExactVertices& vertices = this->Mesh.Vertices();
-  EdgeRing& ring = this->Ring;
+  const ExactVertices& vertices = mesh.Vertices();
   const std::size_t n = ring.Points.size();
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -25,12 +31,11 @@ bool FlatFlipper::FindQuadrilateral(Id u, Id v)
     {
       const Id p = ring.Points[i];
       const Id q = ring.Points[j];
-      if (p == this->Mesh.Infinite() || q == this->Mesh.Infinite() ||
-        vertices.Orient(u, v, p, q) != 0)
+      if (p == mesh.Infinite() || q == mesh.Infinite() || vertices.Orient(u, v, p, q) != 0)
       {
         continue;
       }
-      const Id off = this->Mesh.VertexOffPlane(u, v, p);
+      const Id off = mesh.VertexOffPlane(u, v, p);
       const int side = vertices.Orient(u, p, v, off);
       if (vertices.Orient(v, q, u, off) == side && vertices.Orient(p, v, q, off) == side &&
         vertices.Orient(q, u, p, off) == side)
@@ -38,90 +43,90 @@ bool FlatFlipper::FindQuadrilateral(Id u, Id v)
         const auto shift = static_cast<std::ptrdiff_t>(i);
         std::rotate(ring.Points.begin(), ring.Points.begin() + shift, ring.Points.end());
         std::rotate(ring.Cells.begin(), ring.Cells.begin() + shift, ring.Cells.end());
-        this->Second = j - i;
-        return true;
+        return j - i;
       }
     }
   }
-  return false;
+  return 0;
 }
 
 /** The cells around an edge that no constraint has. */
-bool FlatFlipper::FindRing(Id u, Id v)
+bool FindRing(const ExactState& state, Id u, Id v, EdgeRing& ring)
 {
-  const Id cell = this->Mesh.FindEdge(u, v);
-  if (cell == None || this->Segments.Find(u, v) != None)
+  const Id cell = state.Mesh.FindEdge(u, v);
+  if (cell == None || state.Segments.Find(u, v) != None)
   {
     return false;
   }
-  this->Mesh.Ring(u, v, cell, this->Ring);
-  return !this->Ring.IsLocked;
+  state.Mesh.Ring(u, v, cell, ring);
+  return !ring.IsLocked;
 }
 
 /** Append the outer faces of ring cell k. @return whether the cell is finite */
-bool FlatFlipper::AddWalls(std::size_t k, Sector& sector) const
+bool AddWalls(const FlippableMesh& mesh, const EdgeRing& ring, std::size_t k, Sector& sector)
 {
-  const Id x = this->Ring.Points[k];
-  const Id y = this->Ring.Points[(k + 1) % this->Ring.Points.size()];
-  if (x == this->Mesh.Infinite() || y == this->Mesh.Infinite())
+  const Id x = ring.Points[k];
+  const Id y = ring.Points[(k + 1) % ring.Points.size()];
+  if (x == mesh.Infinite() || y == mesh.Infinite())
   {
     return false;
   }
-  sector.Walls.push_back({ { y, x, this->Ring.V } });
-  sector.Walls.push_back({ { x, y, this->Ring.U } });
+  sector.Walls.push_back({ { y, x, ring.V } });
+  sector.Walls.push_back({ { x, y, ring.U } });
   sector.Corners.insert(sector.Corners.end(), { x, y });
   return true;
 }
 
-Point FlatFlipper::MiddleOfEdge() const
+Point MiddleOfEdge(const FlippableMesh& mesh, const EdgeRing& ring)
 {
-  const Point a = this->Mesh.Vertices().Nearest(this->Ring.U);
-  const Point b = this->Mesh.Vertices().Nearest(this->Ring.V);
+  const Point a = mesh.Vertices().Nearest(ring.U);
+  const Point b = mesh.Vertices().Nearest(ring.V);
   return { { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 } };
 }
 
-bool FlatFlipper::StarEdge(Id u, Id v)
+} // namespace
+
+bool StarEdge(ExactState& state, Id u, Id v)
 {
-  if (!this->FindRing(u, v))
+  FlippableMesh& mesh = state.Mesh;
+  EdgeRing& ring = state.Scratch.Ring;
+  if (!FindRing(state, u, v, ring))
   {
     return false;
   }
   std::vector<Sector> sectors(1);
-  for (std::size_t k = 0; k < this->Ring.Points.size(); ++k)
+  for (std::size_t k = 0; k < ring.Points.size(); ++k)
   {
-    if (!this->AddWalls(k, sectors[0]))
+    if (!AddWalls(mesh, ring, k, sectors[0]))
     {
       return false;
     }
   }
   std::vector<Tetrahedron> fresh;
-  if (!this->Filler.Fill(sectors, this->MiddleOfEdge(), VolumePoints::AsNeeded, fresh))
+  if (!FillSectors(mesh, sectors, MiddleOfEdge(mesh, ring), VolumePoints::AsNeeded, fresh))
   {
     return false;
   }
-  this->Mesh.Replace(std::vector<Id>(this->Ring.Cells), fresh);
+  mesh.Replace(ring.Cells, fresh);
   return true;
 }
 
-bool FlatFlipper::Flip(Id u, Id v, VolumePoints volumePoints, Id& p, Id& q)
+bool FlipFlat(ExactState& state, Id u, Id v, VolumePoints volumePoints, Id& p, Id& q)
 {
-  if (!this->FindRing(u, v))
-  {
-    return false;
-  }
-  const EdgeRing& ring = this->Ring;
-  const std::size_t n = ring.Points.size();
-  if (!this->FindQuadrilateral(u, v))
+  FlippableMesh& mesh = state.Mesh;
+  EdgeRing& ring = state.Scratch.Ring;
+  const std::size_t second = FindRing(state, u, v, ring) ? FindQuadrilateral(mesh, u, v, ring) : 0;
+  if (second == 0)
   {
     return false;
   }
   p = ring.Points[0];
-  q = ring.Points[this->Second];
+  q = ring.Points[second];
   std::vector<Sector> sectors(2);
-  for (std::size_t k = 0; k < n; ++k)
+  for (std::size_t k = 0; k < ring.Points.size(); ++k)
   {
-    Sector& sector = sectors[k < this->Second ? 0 : 1];
-    sector.IsInfinite = !this->AddWalls(k, sector) || sector.IsInfinite;
+    Sector& sector = sectors[k < second ? 0 : 1];
+    sector.IsInfinite = !AddWalls(mesh, ring, k, sector) || sector.IsInfinite;
   }
   for (const Sector& sector : sectors)
   {
@@ -135,29 +140,30 @@ bool FlatFlipper::Flip(Id u, Id v, VolumePoints volumePoints, Id& p, Id& q)
   sectors[1].Walls.insert(sectors[1].Walls.end(), { { { q, p, v } }, { { p, q, u } } });
 
   std::vector<Tetrahedron> fresh;
-  if (!this->Filler.Fill(sectors, this->MiddleOfEdge(), volumePoints, fresh))
+  if (!FillSectors(mesh, sectors, MiddleOfEdge(mesh, ring), volumePoints, fresh))
   {
     return false;
   }
-  this->Mesh.Replace(std::vector<Id>(ring.Cells), fresh);
+  mesh.Replace(ring.Cells, fresh);
   return true;
 }
 
-bool FlatFlipper::MakeEdge(Id a, Id b)
+bool MakeEdge(ExactState& state, Id a, Id b)
 {
+  const FlippableMesh& mesh = state.Mesh;
   std::deque<std::pair<Id, Id>> crossed;
-  Crossing crossing = FirstCrossing(this->Mesh, a, b);
+  Crossing crossing = FirstCrossing(mesh, a, b);
   while (crossing.Kind == Crossing::ThroughEdge)
   {
     crossed.push_back({ crossing.U, crossing.V });
-    crossing = NextCrossing(this->Mesh, a, b, crossing);
+    crossing = NextCrossing(mesh, a, b, crossing);
   }
   if (crossing.Kind != Crossing::AtEnd)
   {
     return false;
   }
-  const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
-  std::size_t flips = EngineLimits::FlatFlipsPerCrossing * crossed.size();
+  const FlipTarget target = FlipTarget::Segment(mesh, a, b);
+  std::size_t flips = FlatFlipsPerCrossing * crossed.size();
   std::size_t failed = 0; // since the last flip that was done
   while (failed < crossed.size() && flips > 0)
   {
@@ -166,7 +172,7 @@ bool FlatFlipper::MakeEdge(Id a, Id b)
     crossed.pop_front();
     Id p;
     Id q;
-    if (!this->Flip(u, v, VolumePoints::AsNeeded, p, q))
+    if (!FlipFlat(state, u, v, VolumePoints::AsNeeded, p, q))
     {
       crossed.push_back({ u, v });
       ++failed;
@@ -178,6 +184,6 @@ bool FlatFlipper::MakeEdge(Id a, Id b)
       crossed.push_back({ p, q });
     }
   }
-  return this->Mesh.FindEdge(a, b) != None;
+  return mesh.FindEdge(a, b) != None;
 }
 } // namespace insideout

@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/FlipTwins.h"
 
-#include "Exact/EngineLimits.h"
+#include "Exact/Flips.h"
 
 namespace insideout
 {
-void FlipTwinsAway(ConstrainedMesh& constrained)
+namespace
 {
-  FlippableMesh& mesh = constrained.Mesh;
-  const SegmentTable& segments = constrained.Segments;
-  FlipOperator flips(mesh, segments);
-  const FlipTarget nothing(mesh);
-  constexpr FlipEffort effort = EngineLimits::TwinFlips;
-  for (Id facet = 0; facet < static_cast<Id>(constrained.Facets.size()); ++facet)
+/** There are few twins, so that they may be tried hard. */
+constexpr FlipEffort TwinFlips = { { 0, 12 }, 2, 200 };
+} // namespace
+
+void FlipTwinsAway(ExactState& state)
+{
+  const FlipTarget nothing(state.Mesh);
+  for (Id facet = 0; facet < static_cast<Id>(state.Facets.size()); ++facet)
   {
-    const Triangle& corners = constrained.Facets[facet];
+    const Triangle& corners = state.Facets[facet];
     for (int k = 0; k < 3; ++k)
     {
       Id cell;
       int face;
-      if (segments.IsSplit(segments.OfFacet(facet, k)) &&
-        mesh.FindFace(corners[0], corners[1], corners[2], cell, face) &&
-        !flips.RemoveFace(cell, face, nothing, effort.Limits))
+      if (state.Segments.IsSplit(state.Segments.OfFacet(facet, k)) &&
+        state.Mesh.FindFace(corners[0], corners[1], corners[2], cell, face) &&
+        !RemoveFace(state, cell, face, nothing, TwinFlips.Limits))
       {
-        int budget = effort.Budget;
-        flips.RemoveEdgeDeeply(
-          corners[k], corners[(k + 1) % 3], nothing, effort.Limits, effort.Depth, budget);
+        int budget = TwinFlips.Budget;
+        RemoveEdgeDeeply(state, corners[k], corners[(k + 1) % 3], nothing, TwinFlips, budget);
       }
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Exact/ConstrainedMesh.h"
+#include "Exact/ExactState.h"
 
 namespace insideout
 {
@@ -10,5 +10,5 @@ namespace insideout
  * its *twin*. Readers of the mesh cannot tell which of both is the facet: flip that face away where
  * possible.
  */
-void FlipTwinsAway(ConstrainedMesh& constrained);
+void FlipTwinsAway(ExactState& state);
 } // namespace insideout

@@ -1,70 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverConstraints.h"
 
-#include "Exact/EngineLimits.h"
 #include "Exact/Phases.h"
 #include "Exact/RecoverFacets.h"
 #include "Exact/RoundPoints.h"
+#include "Exact/SteinerPoints.h"
 
 namespace insideout
 {
-void ConstraintRecovery::Recover(
-  std::vector<Id> missing, SegmentRecovery::From from, std::int64_t since)
+namespace
 {
-  const std::int64_t begin = this->Constrained.Mesh.Work().Spent();
-  FlippableMesh& mesh = this->Constrained.Mesh;
-  SegmentTable& segments = this->Constrained.Segments;
-  FacetRecovery facets(mesh, segments, this->Constrained.Facets, this->Progress);
-  SegmentRecovery edges(mesh, segments, this->Progress);
-  SteinerPoints steiner(mesh, segments, this->Progress);
-  missing = facets.MarkWholeFacets(missing);
-  const std::vector<Id> toFlip =
-    edges.RecoverByPulls(edges.FindMissing(this->Constrained.SegmentsOf(missing)));
-  missing = facets.MarkWholeFacets(missing);
-  const std::vector<Id> toCut = edges.RecoverByFlips(toFlip);
-  edges.RecoverBySplits(toCut, from, steiner);
-  missing = facets.MarkWholeFacets(missing);
-  facets.RecoverBySplits(facets.RecoverByFlips(missing), steiner);
-  steiner.Tidy(mesh.Infinite() + 1, since);
-  this->ShakeOff(steiner, since, mesh.Work().Spent() - begin);
-}
+/** Share of the work of a recovery, as a divisor, that may go into shaking Steiner points that have
+ * places; some ms more. */
+constexpr std::int64_t WorkPerShake = 10;
+constexpr std::int64_t WorkOnShaking = 1000000;
+
+/** Rings of cells around points that find no place in which facets are given up. */
+constexpr int RingsGivenUp = 5;
 
 /**
  * Do without some of the Steiner points that cells at hand could not do without.
  * @param[in] workBefore what their recovery took
  */
-void ConstraintRecovery::ShakeOff(
-  SteinerPoints& steiner, std::int64_t since, std::int64_t workBefore)
+void ShakeOff(ExactState& state, std::int64_t since, std::int64_t workBefore)
 {
-  const WorkBudget& work = this->Constrained.Mesh.Work();
+  const WorkBudget& work = state.Mesh.Work();
   const std::int64_t begin = work.Spent();
-  const std::int64_t mostWork =
-    workBefore / EngineLimits::WorkPerShake + EngineLimits::WorkOnShaking;
-  std::vector<Id> left = this->Constrained.SteinerPoints(since);
-  int patience = EngineLimits::ShakesWithoutGain;
+  const std::int64_t mostWork = workBefore / WorkPerShake + WorkOnShaking;
+  std::vector<Id> left = state.SteinerPoints(since);
+  int patience = ShakesWithoutGain;
   while (!left.empty() && patience > 0 && work.Spent() - begin < mostWork && !work.IsUsedUp())
   {
-    this->Progress.Check(Phases::ShakingPoints,
+    state.Report(Phases::ShakingPoints,
       static_cast<double>(work.Spent() - begin) / static_cast<double>(mostWork));
-    steiner.Shake(left, this->Random);
+    Shake(state, left);
     const std::size_t before = left.size();
-    left = this->Constrained.SteinerPoints(since);
-    patience = left.size() < before ? EngineLimits::ShakesWithoutGain : patience - 1;
+    left = state.SteinerPoints(since);
+    patience = left.size() < before ? ShakesWithoutGain : patience - 1;
   }
 }
+} // namespace
 
-bool ConstraintRecovery::RecoverAndRound(const std::vector<Id>& facets, SegmentRecovery::From from,
+bool RecoverConstraints(ExactState& state, const std::vector<Id>& facets, SplitFrom from,
   bool maySplitBeside, std::int64_t since, std::set<Id>& givenUp)
 {
-  this->Recover(facets, from, since);
-  PointRounder rounder(this->Constrained.Mesh, this->Constrained.Segments, this->Progress);
-  std::vector<Id> left = rounder.RoundAll(maySplitBeside, since, this->Random);
-  for (int rings = 0; !left.empty() && rings < EngineLimits::RingsGivenUp; ++rings)
+  const std::int64_t begin = state.Mesh.Work().Spent();
+  std::vector<Id> missing = MarkWholeFacets(state, facets);
+  const std::vector<Id> toFlip =
+    RecoverSegmentsByPulls(state, FindMissingSegments(state, state.SegmentsOf(missing)));
+  missing = MarkWholeFacets(state, missing);
+  RecoverSegmentsBySplits(state, RecoverSegmentsByFlips(state, toFlip), from);
+  missing = MarkWholeFacets(state, missing);
+  RecoverFacetsBySplits(state, RecoverFacetsByFlips(state, missing));
+  Tidy(state, state.Mesh.Infinite() + 1, since);
+  ShakeOff(state, since, state.Mesh.Work().Spent() - begin);
+
+  std::vector<Id> left = RoundPoints(state, maySplitBeside, since);
+  for (int rings = 0; !left.empty() && rings < RingsGivenUp; ++rings)
   {
-    const std::set<Id> around = this->Constrained.FacetsAround(left, rings);
+    const std::set<Id> around = state.FacetsAround(left, rings);
     givenUp.insert(around.begin(), around.end());
-    this->Constrained.LetGo(around);
-    left = rounder.RoundAll(maySplitBeside, since, this->Random);
+    state.LetGo(around);
+    left = RoundPoints(state, maySplitBeside, since);
   }
   return left.empty();
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverFacets.h"
 
-#include "Exact/EngineLimits.h"
+#include "Exact/Flips.h"
 #include "Exact/Phases.h"
+#include "Exact/SteinerPoints.h"
 
 #include <algorithm>
 #include <set>
@@ -12,17 +13,26 @@ namespace insideout
 {
 namespace
 {
-/** How often the monitor is asked. */
-constexpr std::size_t FacetsPerCheck = 4;
-} // namespace
+struct MeshEdge
+{
+  Id U;
+  Id V;
+};
 
-std::vector<FacetRecovery::MeshEdge> FacetRecovery::BoundaryOf(Id facet) const
+enum class Search
+{
+  Found,
+  Crossed,
+  Impossible
+};
+
+std::vector<MeshEdge> BoundaryOf(const ExactState& state, Id facet)
 {
   std::vector<MeshEdge> edges;
-  const Triangle& corners = this->Facets[facet];
+  const Triangle& corners = state.Facets[facet];
   for (int k = 0; k < 3; ++k)
   {
-    std::vector<Id> path = this->Segments.Path(this->Segments.OfFacet(facet, k));
+    std::vector<Id> path = state.Segments.Path(state.Segments.OfFacet(facet, k));
     if (path.front() != corners[k])
     {
       std::reverse(path.begin(), path.end());
@@ -39,28 +49,29 @@ std::vector<FacetRecovery::MeshEdge> FacetRecovery::BoundaryOf(Id facet) const
  * The face on the facet to the left of the edge from x to y, or the edge that passes through there.
  * @param[in] off a vertex off the facet's plane
  */
-FacetRecovery::Search FacetRecovery::FaceBeside(
-  Id facet, Id x, Id y, Id off, MeshFace& face, Id& apex, MeshEdge& crossing) const
+Search FaceBeside(const FlippableMesh& mesh, const Triangle& corners, const MeshEdge& edge, Id off,
+  MeshFace& face, Id& apex, MeshEdge& crossing)
 {
-  const ExactVertices& vertices = this->Mesh.Vertices();
-  const Triangle& corners = this->Facets[facet];
-  const Id cell = this->Mesh.FindEdge(x, y);
+  const Id x = edge.U;
+  const Id y = edge.V;
+  const ExactVertices& vertices = mesh.Vertices();
+  const Id cell = mesh.FindEdge(x, y);
   if (cell == None)
   {
     return Search::Impossible;
   }
   EdgeRing ring;
-  this->Mesh.Ring(x, y, cell, ring);
+  mesh.Ring(x, y, cell, ring);
   const std::size_t n = ring.Points.size();
   const int side = vertices.Orient(corners[0], corners[1], corners[2], off);
   for (std::size_t k = 0; k < n; ++k)
   {
     const Id p = ring.Points[k];
-    if (p != this->Mesh.Infinite() && vertices.Orient(corners[0], corners[1], corners[2], p) == 0 &&
+    if (p != mesh.Infinite() && vertices.Orient(corners[0], corners[1], corners[2], p) == 0 &&
       vertices.Orient(x, y, p, off) == side)
     {
       apex = p;
-      face = { ring.Cells[k], this->Mesh.CornerIndex(ring.Cells[k], ring.Points[(k + 1) % n]) };
+      face = { ring.Cells[k], mesh.CornerIndex(ring.Cells[k], ring.Points[(k + 1) % n]) };
       return Search::Found;
     }
   }
@@ -70,8 +81,8 @@ FacetRecovery::Search FacetRecovery::FaceBeside(
   {
     const Id p = ring.Points[k];
     const Id q = ring.Points[(k + 1) % n];
-    if (p != this->Mesh.Infinite() && q != this->Mesh.Infinite() &&
-      vertices.Orient(x, y, p, *inner) > 0 && vertices.Orient(x, y, *inner, q) > 0)
+    if (p != mesh.Infinite() && q != mesh.Infinite() && vertices.Orient(x, y, p, *inner) > 0 &&
+      vertices.Orient(x, y, *inner, q) > 0)
     {
       crossing = { p, q };
       return Search::Crossed;
@@ -81,23 +92,24 @@ FacetRecovery::Search FacetRecovery::FaceBeside(
 }
 
 /** From the facet's boundary inward, face by face. */
-FacetRecovery::Search FacetRecovery::FindFaces(
-  Id facet, std::vector<MeshFace>& faces, MeshEdge& crossing) const
+Search FindFaces(
+  const ExactState& state, Id facet, std::vector<MeshFace>& faces, MeshEdge& crossing)
 {
-  const Triangle& corners = this->Facets[facet];
+  const FlippableMesh& mesh = state.Mesh;
+  const Triangle& corners = state.Facets[facet];
   faces.clear();
   MeshFace whole;
-  if (this->Mesh.FindFace(corners[0], corners[1], corners[2], whole.Cell, whole.Face))
+  if (mesh.FindFace(corners[0], corners[1], corners[2], whole.Cell, whole.Face))
   {
     faces.push_back(whole);
     return Search::Found;
   }
-  const Id off = this->Mesh.VertexOffPlane(corners[0], corners[1], corners[2]);
+  const Id off = mesh.VertexOffPlane(corners[0], corners[1], corners[2]);
   if (off == None)
   {
     return Search::Impossible;
   }
-  std::vector<MeshEdge> open = this->BoundaryOf(facet);
+  std::vector<MeshEdge> open = BoundaryOf(state, facet);
   std::set<std::pair<Id, Id>> boundary;
   for (const MeshEdge& edge : open)
   {
@@ -114,7 +126,7 @@ FacetRecovery::Search FacetRecovery::FindFaces(
     }
     MeshFace face;
     Id apex = None;
-    const Search search = this->FaceBeside(facet, edge.U, edge.V, off, face, apex, crossing);
+    const Search search = FaceBeside(mesh, corners, edge, off, face, apex, crossing);
     if (search != Search::Found)
     {
       return search;
@@ -133,23 +145,24 @@ FacetRecovery::Search FacetRecovery::FindFaces(
   return Search::Found;
 }
 
-void FacetRecovery::Mark(Id facet, const std::vector<MeshFace>& faces)
+void Mark(FlippableMesh& mesh, Id facet, const std::vector<MeshFace>& faces)
 {
   for (const MeshFace& face : faces)
   {
-    this->Mesh.SetFacet(face.Cell, face.Face, facet);
+    mesh.SetFacet(face.Cell, face.Face, facet);
   }
 }
+} // namespace
 
-std::vector<Id> FacetRecovery::MarkWholeFacets(const std::vector<Id>& facets)
+std::vector<Id> MarkWholeFacets(ExactState& state, const std::vector<Id>& facets)
 {
   std::vector<Triangle> triangles;
   triangles.reserve(facets.size());
   for (const Id facet : facets)
   {
-    triangles.push_back(this->Facets[facet]);
+    triangles.push_back(state.Facets[facet]);
   }
-  const std::vector<MeshFace> faces = this->Mesh.FindFaces(triangles);
+  const std::vector<MeshFace> faces = state.Mesh.FindFaces(triangles);
   std::vector<Id> others;
   for (std::size_t i = 0; i < facets.size(); ++i)
   {
@@ -157,11 +170,11 @@ std::vector<Id> FacetRecovery::MarkWholeFacets(const std::vector<Id>& facets)
     bool isSplit = false;
     for (int k = 0; k < 3; ++k)
     {
-      isSplit = isSplit || this->Segments.IsSplit(this->Segments.OfFacet(facets[i], k));
+      isSplit = isSplit || state.Segments.IsSplit(state.Segments.OfFacet(facets[i], k));
     }
     if (faces[i].Cell != None && !isSplit)
     {
-      this->Mark(facets[i], { faces[i] });
+      Mark(state.Mesh, facets[i], { faces[i] });
     }
     else
     {
@@ -171,18 +184,39 @@ std::vector<Id> FacetRecovery::MarkWholeFacets(const std::vector<Id>& facets)
   return others;
 }
 
-/** All edges that cross the facet and hang together with `first` through cells. */
-std::vector<FacetRecovery::MeshEdge> FacetRecovery::AllCrossings(
-  Id facet, const MeshEdge& first) const
+std::vector<Id> FindLostFacets(ExactState& state)
 {
-  const FlipTarget target = FlipTarget::Facet(this->Mesh, this->Facets[facet]);
+  const std::vector<bool> areThere = state.FacetsThatAreThere();
+  std::vector<Id> lost;
+  for (Id facet = 0; facet < static_cast<Id>(areThere.size()); ++facet)
+  {
+    if (!areThere[facet])
+    {
+      lost.push_back(facet);
+    }
+  }
+  return MarkWholeFacets(state, lost);
+}
+
+namespace
+{
+/** Passes over all edges that cross a facet: each leaves fewer, or other ones. */
+constexpr int PassesPerFacet = 20;
+
+/** How often the monitor is asked. */
+constexpr std::size_t FacetsPerCheck = 4;
+
+/** All edges that cross the facet and hang together with `first` through cells. */
+std::vector<MeshEdge> AllCrossings(
+  const FlippableMesh& mesh, const FlipTarget& target, const MeshEdge& first)
+{
   std::vector<MeshEdge> edges(1, first);
   std::set<std::pair<Id, Id>> known = { std::minmax(first.U, first.V) };
   EdgeRing ring;
   for (std::size_t next = 0; next < edges.size(); ++next)
   {
     const MeshEdge edge = edges[next];
-    this->Mesh.Ring(edge.U, edge.V, this->Mesh.FindEdge(edge.U, edge.V), ring);
+    mesh.Ring(edge.U, edge.V, mesh.FindEdge(edge.U, edge.V), ring);
     for (const Id p : ring.Points)
     {
       for (const Id end : { edge.U, edge.V })
@@ -206,36 +240,36 @@ std::vector<FacetRecovery::MeshEdge> FacetRecovery::AllCrossings(
   return edges;
 }
 
-bool FacetRecovery::Recover(Id facet, const FlipEffort& effort)
+bool Recover(ExactState& state, Id facet, const FlipEffort& effort)
 {
-  const FlipTarget target = FlipTarget::Facet(this->Mesh, this->Facets[facet]);
+  const FlippableMesh& mesh = state.Mesh;
+  const FlipTarget target = FlipTarget::Facet(mesh, state.Facets[facet]);
   std::vector<MeshFace> faces;
   MeshEdge first;
-  for (int pass = 0; pass < EngineLimits::PassesPerFacet; ++pass)
+  for (int pass = 0; pass < PassesPerFacet; ++pass)
   {
-    this->Progress.Check(Phases::RecoveringFacets, 0);
-    const Search search = this->FindFaces(facet, faces, first);
+    state.Report(Phases::RecoveringFacets);
+    const Search search = FindFaces(state, facet, faces, first);
     if (search == Search::Found)
     {
-      this->Mark(facet, faces);
+      Mark(state.Mesh, facet, faces);
       return true;
     }
     if (search == Search::Impossible)
     {
       return false;
     }
-    const std::int64_t before = this->Mesh.NumberOfChanges();
-    for (const MeshEdge& crossing : this->AllCrossings(facet, first))
+    const std::int64_t before = mesh.NumberOfChanges();
+    for (const MeshEdge& crossing : AllCrossings(mesh, target, first))
     {
-      if (this->Mesh.Work().Spent() > effort.EndOfWork)
+      if (mesh.Work().Spent() > effort.EndOfWork)
       {
         return false;
       }
       int budget = effort.Budget;
-      this->Flips.RemoveEdgeDeeply(
-        crossing.U, crossing.V, target, effort.Limits, effort.Depth, budget);
+      RemoveEdgeDeeply(state, crossing.U, crossing.V, target, effort, budget);
     }
-    if (this->Mesh.NumberOfChanges() == before)
+    if (mesh.NumberOfChanges() == before)
     {
       return false;
     }
@@ -243,75 +277,64 @@ bool FacetRecovery::Recover(Id facet, const FlipEffort& effort)
   return false;
 }
 
-std::vector<Id> FacetRecovery::RecoverByFlips(const std::vector<Id>& missing)
-{
-  return RecoverInRounds(missing, this->Mesh,
-    static_cast<std::int64_t>(this->Mesh.Infinite()) +
-      static_cast<std::int64_t>(this->Facets.size()),
-    this->Progress, Phases::RecoveringFacets,
-    [this](Id facet, const FlipEffort& effort) { return this->Recover(facet, effort); });
-}
-
 /** Put a point where the edge passes through the facet's plane, if it does. */
-bool FacetRecovery::SplitOnFacet(Id facet, const MeshEdge& edge)
+bool SplitOnFacet(FlippableMesh& mesh, const Triangle& f, const MeshEdge& edge)
 {
-  const Triangle& f = this->Facets[facet];
-  const DyadicNumber atU = this->Mesh.Vertices().Determinant(f[0], f[1], f[2], edge.U);
-  const DyadicNumber atV = this->Mesh.Vertices().Determinant(f[0], f[1], f[2], edge.V);
-  const Id cell = this->Mesh.FindEdge(edge.U, edge.V);
+  const DyadicNumber atU = mesh.Vertices().Determinant(f[0], f[1], f[2], edge.U);
+  const DyadicNumber atV = mesh.Vertices().Determinant(f[0], f[1], f[2], edge.V);
+  const Id cell = mesh.FindEdge(edge.U, edge.V);
   if (cell == None || atU.sign() * atV.sign() >= 0)
   {
     return false;
   }
-  const Id point = this->Mesh.AddVertexBetween(edge.U, edge.V, DyadicNumber(0) - atV, atU, f);
+  const Id point = mesh.AddVertexBetween(edge.U, edge.V, DyadicNumber(0) - atV, atU, f);
   EdgeRing ring;
-  this->Mesh.Ring(edge.U, edge.V, cell, ring);
-  this->Mesh.SplitEdge(ring, point);
+  mesh.Ring(edge.U, edge.V, cell, ring);
+  mesh.SplitEdge(ring, point);
   return true;
 }
+} // namespace
 
-std::vector<Id> FacetRecovery::RecoverBySplits(
-  const std::vector<Id>& missing, SteinerPoints& steiner)
+std::vector<Id> RecoverFacetsByFlips(ExactState& state, const std::vector<Id>& missing)
+{
+  return RecoverInRounds(state, missing, state.Facets.size(), Phases::RecoveringFacets,
+    [&state](Id facet, const FlipEffort& effort) { return Recover(state, facet, effort); });
+}
+
+std::vector<Id> RecoverFacetsBySplits(ExactState& state, const std::vector<Id>& missing)
 {
   std::vector<Id> failed;
   std::vector<MeshFace> faces;
   MeshEdge crossing;
   for (std::size_t k = 0; k < missing.size(); ++k)
   {
+    const double fraction = static_cast<double>(k) / missing.size();
     if (k % FacetsPerCheck == 0)
     {
-      this->Progress.Check(Phases::SplittingFacets, static_cast<double>(k) / missing.size());
+      state.Report(Phases::SplittingFacets, fraction);
     }
-    const Id first = this->Mesh.Vertices().Size();
+    const Id first = state.Mesh.Vertices().Size();
     const Id facet = missing[k];
-    Search search = this->FindFaces(facet, faces, crossing);
-    while (search == Search::Crossed && !this->Mesh.Work().IsUsedUp())
+    const FlipTarget target = FlipTarget::Facet(state.Mesh, state.Facets[facet]);
+    Search search = FindFaces(state, facet, faces, crossing);
+    while (search == Search::Crossed && !state.Mesh.Work().IsUsedUp())
     {
       // None of the edges that cross the facet goes because of the others' points, and none comes.
-      const std::vector<MeshEdge> crossings = this->AllCrossings(facet, crossing);
-      for (const MeshEdge& edge : crossings)
-      {
-        if (!this->SplitOnFacet(facet, edge))
-        {
-          search = Search::Impossible;
-          break;
-        }
-      }
-      if (search == Search::Crossed)
-      {
-        this->Progress.Check(Phases::SplittingFacets, static_cast<double>(k) / missing.size());
-        search = this->FindFaces(facet, faces, crossing);
-      }
+      const std::vector<MeshEdge> crossings = AllCrossings(state.Mesh, target, crossing);
+      const bool isSplit = std::all_of(crossings.begin(), crossings.end(),
+        [&](const MeshEdge& edge) { return SplitOnFacet(state.Mesh, state.Facets[facet], edge); });
+      state.Report(Phases::SplittingFacets, fraction);
+      search = isSplit ? FindFaces(state, facet, faces, crossing) : Search::Impossible;
     }
     if (search == Search::Found)
     {
-      this->Mark(facet, faces);
+      Mark(state.Mesh, facet, faces);
     }
     else
     {
       failed.push_back(facet);
     }
-    steiner.Tidy(first);
+    Tidy(state, first);
   }
   return failed;
 }

@@ -1,65 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Exact/FlipRounds.h"
-#include "Exact/SteinerPoints.h"
+#include "Exact/ExactState.h"
 
 namespace insideout
 {
-/** Makes facets, whose edges the mesh has, unions of faces of the mesh, and marks these. */
-class FacetRecovery
-{
-public:
-  FacetRecovery(FlippableMesh& mesh, const SegmentTable& segments,
-    const std::vector<Triangle>& facets, Monitor& monitor)
-    : Mesh(mesh)
-    , Segments(segments)
-    , Facets(facets)
-    , Progress(monitor)
-    , Flips(mesh, segments)
-  {
-  }
+/** Facets, whose edges the mesh has, become unions of faces of the mesh, which are marked. */
 
-  /** Mark every facet that is one face between segments none of which is split. @return the others
-   */
-  std::vector<Id> MarkWholeFacets(const std::vector<Id>& facets);
+/** Mark every facet that is one face between segments none of which is split. @return the others */
+std::vector<Id> MarkWholeFacets(ExactState& state, const std::vector<Id>& facets);
 
-  /** Recover facets by flips alone. @return the ones that are still missing */
-  std::vector<Id> RecoverByFlips(const std::vector<Id>& missing);
+/** The facets missing in the mesh, after a search for those that are faces by chance. */
+std::vector<Id> FindLostFacets(ExactState& state);
 
-  /**
-   * Recover facets by putting a Steiner point on each where an edge crosses it. Edges get no end
-   * beyond the facet by that, so it is done once per edge.
-   * @return facets of which an edge is missing
-   */
-  std::vector<Id> RecoverBySplits(const std::vector<Id>& missing, SteinerPoints& steiner);
+/** Recover facets by flips alone. @return the ones that are still missing */
+std::vector<Id> RecoverFacetsByFlips(ExactState& state, const std::vector<Id>& missing);
 
-private:
-  struct MeshEdge
-  {
-    Id U;
-    Id V;
-  };
-  enum class Search
-  {
-    Found,
-    Crossed,
-    Impossible
-  };
-
-  Search FindFaces(Id facet, std::vector<MeshFace>& faces, MeshEdge& crossing) const;
-  Search FaceBeside(
-    Id facet, Id x, Id y, Id off, MeshFace& face, Id& apex, MeshEdge& crossing) const;
-  std::vector<MeshEdge> BoundaryOf(Id facet) const;
-  std::vector<MeshEdge> AllCrossings(Id facet, const MeshEdge& first) const;
-  void Mark(Id facet, const std::vector<MeshFace>& faces);
-  bool SplitOnFacet(Id facet, const MeshEdge& edge);
-  bool Recover(Id facet, const FlipEffort& effort);
-
-  FlippableMesh& Mesh;
-  const SegmentTable& Segments;
-  const std::vector<Triangle>& Facets;
-  Monitor& Progress;
-  FlipOperator Flips;
-};
+/**
+ * Recover facets by putting a Steiner point on each where an edge crosses it. Edges get no end
+ * beyond the facet by that, so it is done once per edge.
+ * @return facets of which an edge is missing
+ */
+std::vector<Id> RecoverFacetsBySplits(ExactState& state, const std::vector<Id>& missing);
 } // namespace insideout

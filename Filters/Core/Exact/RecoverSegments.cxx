@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverSegments.h"
 
-#include "Exact/EngineLimits.h"
+#include "Common/Buckets.h"
+#include "Exact/FlipFlat.h"
+#include "Exact/Flips.h"
 #include "Exact/Phases.h"
-#include "Exact/PointSupport.h"
+#include "Exact/PullVertex.h"
+#include "Exact/SegmentWalk.h"
+#include "Exact/SteinerPoints.h"
 
 #include <algorithm>
 
@@ -15,13 +19,13 @@ namespace
 constexpr std::size_t SegmentsPerCheck = 16;
 } // namespace
 
-std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) const
+std::vector<Id> FindMissingSegments(const ExactState& state, const std::vector<Id>& segments)
 {
   std::vector<Id> missing;
   for (const Id segment : segments)
   {
-    const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
-    if (!this->Segments.IsSplit(segment) && this->Mesh.FindEdge(ends[0], ends[1]) == None)
+    const std::array<Id, 2>& ends = state.Segments.EndsOf(segment);
+    if (!state.Segments.IsSplit(segment) && state.Mesh.FindEdge(ends[0], ends[1]) == None)
     {
       missing.push_back(segment);
     }
@@ -31,95 +35,97 @@ std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) co
 
 // --- Pulls ---------------------------------------------------------------------------------------
 
-/** The segment's other ends, by vertex. */
-Buckets<Id> SegmentRecovery::OtherEnds(const std::vector<Id>& segments) const
+namespace
 {
-  return Buckets<Id>(static_cast<std::size_t>(this->Mesh.Infinite()),
+/** Missing segments of a vertex, from which on they are recovered at once. Flips recover fewer in
+ * less work. */
+constexpr std::size_t LeastPulled = 4;
+} // namespace
+
+std::vector<Id> RecoverSegmentsByPulls(ExactState& state, const std::vector<Id>& missing)
+{
+  const FlippableMesh& mesh = state.Mesh;
+  const Buckets<Id> others(static_cast<std::size_t>(mesh.Infinite()),
     [&](const auto& visit)
     {
-      for (const Id segment : segments)
+      for (const Id segment : missing)
       {
-        const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
+        const std::array<Id, 2>& ends = state.Segments.EndsOf(segment);
         visit(static_cast<std::size_t>(ends[0]), ends[1]);
         visit(static_cast<std::size_t>(ends[1]), ends[0]);
       }
     });
-}
-
-std::vector<Id> SegmentRecovery::RecoverByPulls(const std::vector<Id>& missing)
-{
-  const Buckets<Id> others = this->OtherEnds(missing);
   const auto lacks = [&others](Id vertex) { return others[vertex].Size(); };
   std::vector<Id> order;
-  for (Id vertex = 0; vertex < this->Mesh.Infinite(); ++vertex)
+  for (Id vertex = 0; vertex < mesh.Infinite(); ++vertex)
   {
-    if (lacks(vertex) >= EngineLimits::LeastPulled)
+    if (lacks(vertex) >= LeastPulled)
     {
       order.push_back(vertex);
     }
   }
   std::stable_sort(order.begin(), order.end(), [&](Id a, Id b) { return lacks(a) > lacks(b); });
-  for (std::size_t k = 0; k < order.size() && !this->Mesh.Work().IsUsedUp(); ++k)
+  for (std::size_t k = 0; k < order.size() && !mesh.Work().IsUsedUp(); ++k)
   {
     if (k % SegmentsPerCheck == 0)
     {
-      this->Progress.Check(Phases::RecoveringSegments, 0);
+      state.Report(Phases::RecoveringSegments);
     }
     std::vector<Id> lacking;
     for (const Id other : others[order[k]])
     {
-      if (this->Mesh.FindEdge(order[k], other) == None)
+      if (mesh.FindEdge(order[k], other) == None)
       {
         lacking.push_back(other);
       }
     }
-    if (lacking.size() >= EngineLimits::LeastPulled)
+    if (lacking.size() >= LeastPulled)
     {
-      this->Puller.Pull(order[k], lacking);
+      PullVertex(state, order[k], lacking);
     }
   }
-  return this->FindMissing(missing);
+  return FindMissingSegments(state, missing);
 }
 
 // --- Flips ---------------------------------------------------------------------------------------
 
-bool SegmentRecovery::Clear(
-  const Crossing& crossing, const FlipTarget& target, const FlipEffort& effort)
+namespace
 {
+/** Nearly all segments need fewer than ten flips, and some would go on for ever. */
+constexpr int FlipsPerSegment = 50;
+
+bool Clear(
+  ExactState& state, const Crossing& crossing, const FlipTarget& target, const FlipEffort& effort)
+{
+  const FlippableMesh& mesh = state.Mesh;
   int budget = effort.Budget;
   if (crossing.Kind == Crossing::ThroughEdge)
   {
-    return this->Flips.RemoveEdgeDeeply(
-      crossing.U, crossing.V, target, effort.Limits, effort.Depth, budget);
+    return RemoveEdgeDeeply(state, crossing.U, crossing.V, target, effort, budget);
   }
   const Id cell = crossing.Cell;
-  const FlippableCell& near = this->Mesh.Cell(cell);
-  if (this->Flips.RemoveFace(cell, crossing.Face, target, effort.Limits))
+  if (RemoveFace(state, cell, crossing.Face, target, effort.Limits))
   {
     return true;
   }
   // Edges that the line between the two apexes passes on the outside first.
-  const Id p = near.Corners[crossing.Face];
-  const Id q = this->Mesh.Opposite(cell, crossing.Face);
-  const Triangle f = this->Mesh.FaceCorners(cell, crossing.Face);
+  const Id p = mesh.Cell(cell).Corners[crossing.Face];
+  const Id q = mesh.Opposite(cell, crossing.Face);
+  const Triangle f = mesh.FaceCorners(cell, crossing.Face);
   std::array<bool, 3> isReflex = { { false, false, false } };
   for (int k = 0; k < 3; ++k)
   {
-    isReflex[k] = q != this->Mesh.Infinite() && p != this->Mesh.Infinite() &&
-      this->Mesh.Vertices().Orient(q, p, f[k], f[(k + 1) % 3]) <= 0;
+    isReflex[k] = q != mesh.Infinite() && p != mesh.Infinite() &&
+      mesh.Vertices().Orient(q, p, f[k], f[(k + 1) % 3]) <= 0;
   }
+  const std::int64_t before = mesh.NumberOfChanges();
   for (const bool reflex : { true, false })
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (isReflex[k] != reflex)
-      {
-        continue;
-      }
-      const std::int64_t before = this->Mesh.NumberOfChanges();
-      if (this->Flips.RemoveEdgeDeeply(
-            f[k], f[(k + 1) % 3], target, effort.Limits, effort.Depth, budget) ||
-        this->Mesh.NumberOfChanges() != before)
+      if (isReflex[k] == reflex &&
+        (RemoveEdgeDeeply(state, f[k], f[(k + 1) % 3], target, effort, budget) ||
+          mesh.NumberOfChanges() != before))
       {
         return true;
       }
@@ -132,84 +138,84 @@ bool SegmentRecovery::Clear(
  * Take away something that the segment crosses: from one end, or else from the other.
  * @param[in] first what it crosses first
  */
-bool SegmentRecovery::ClearOne(
-  Id a, Id b, const Crossing& first, const FlipTarget& target, const FlipEffort& effort)
+bool ClearOne(ExactState& state, Id a, Id b, const Crossing& first, const FlipTarget& target,
+  const FlipEffort& effort)
 {
-  const std::int64_t before = this->Mesh.NumberOfChanges();
-  const auto changed = [&]() { return this->Mesh.NumberOfChanges() != before; };
-  if (first.Kind == Crossing::AtVertex)
+  const std::int64_t before = state.Mesh.NumberOfChanges();
+  const auto clear = [&](const Crossing& crossing)
   {
-    return false;
-  }
-  if (this->Clear(first, target, effort) || changed())
-  {
-    return true;
-  }
-  const Crossing last = FirstCrossing(this->Mesh, b, a);
-  if (last.Kind == Crossing::AtVertex)
-  {
-    return false;
-  }
-  return this->Clear(last, target, effort) || changed();
+    return crossing.Kind != Crossing::AtVertex &&
+      (Clear(state, crossing, target, effort) || state.Mesh.NumberOfChanges() != before);
+  };
+  return first.Kind != Crossing::AtVertex &&
+    (clear(first) || clear(FirstCrossing(state.Mesh, b, a)));
 }
 
-bool SegmentRecovery::Recover(Id a, Id b, const FlipEffort& effort)
+bool Recover(ExactState& state, Id a, Id b, const FlipEffort& effort)
 {
-  const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
-  for (int flips = 0; flips < EngineLimits::FlipsPerSegment; ++flips)
+  const FlipTarget target = FlipTarget::Segment(state.Mesh, a, b);
+  for (int flips = 0; flips < FlipsPerSegment; ++flips)
   {
-    const Crossing first = FirstCrossing(this->Mesh, a, b);
+    const Crossing first = FirstCrossing(state.Mesh, a, b);
     if (first.Kind == Crossing::AtEnd)
     {
       return true;
     }
-    if (this->Mesh.Work().Spent() > effort.EndOfWork ||
-      !this->ClearOne(a, b, first, target, effort))
+    if (state.Mesh.Work().Spent() > effort.EndOfWork ||
+      !ClearOne(state, a, b, first, target, effort))
     {
       return false;
     }
   }
   return false;
 }
+} // namespace
 
-std::vector<Id> SegmentRecovery::RecoverByFlips(const std::vector<Id>& missing)
+std::vector<Id> RecoverSegmentsByFlips(ExactState& state, const std::vector<Id>& missing)
 {
-  return RecoverInRounds(missing, this->Mesh,
-    static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size(), this->Progress,
+  return RecoverInRounds(state, missing, static_cast<std::size_t>(state.Segments.Size()),
     Phases::RecoveringSegments,
-    [this](Id segment, const FlipEffort& effort)
+    [&state](Id segment, const FlipEffort& effort)
     {
-      const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
-      return this->Recover(ends[0], ends[1], effort);
+      const std::array<Id, 2>& ends = state.Segments.EndsOf(segment);
+      return Recover(state, ends[0], ends[1], effort);
     });
 }
 
 // --- Steiner points ------------------------------------------------------------------------------
+
+namespace
+{
+/** On one segment, and beside it: one that needs more passes through what it may not. */
+constexpr int SplitsPerSegment = 1000;
+
+/** Binary digits of a place on a segment: cells are not thinner, for doubles have 1074. */
+constexpr int DigitsOnSegment = 500;
 
 /**
  * A point of the segment from a to b within a cell: of all such points one whose place between a
  * and b has the fewest binary digits, by bisection. `beyondFace` is the corner of the cell across
  * from the face through which the segment enters.
  */
-Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
+Id SteinerPointWithin(FlippableMesh& mesh, Id cell, Id a, Id b, Id beyondFace)
 {
-  const Tetrahedron corners = this->Mesh.Cell(cell).Corners;
-  const int entry = this->Mesh.CornerIndex(cell, beyondFace);
+  const Tetrahedron corners = mesh.Cell(cell).Corners;
+  const int entry = mesh.CornerIndex(cell, beyondFace);
   DyadicNumber low(0);
   DyadicNumber step(0.5);
   const DyadicNumber one(1);
   const DyadicNumber half(0.5);
-  for (int digits = 0; digits < EngineLimits::DigitsOnSegment; ++digits)
+  for (int digits = 0; digits < DigitsOnSegment; ++digits)
   {
     const DyadicNumber t = low + step;
-    const Id point = this->Mesh.AddVertexBetween(a, b, one - t, t, { { a, b, b } });
+    const Id point = mesh.AddVertexBetween(a, b, one - t, t, { { a, b, b } });
     bool beforeEntry = false;
     bool behindExit = false;
     for (int k = 0; k < 4; ++k)
     {
       Tetrahedron moved = corners;
       moved[k] = point;
-      if (this->Mesh.Vertices().Orient(moved[0], moved[1], moved[2], moved[3]) <= 0)
+      if (mesh.Vertices().Orient(moved[0], moved[1], moved[2], moved[3]) <= 0)
       {
         (k == entry ? beforeEntry : behindExit) = true;
       }
@@ -222,112 +228,109 @@ Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
     {
       low = t;
     }
-    this->Mesh.RemoveLastVertex();
+    mesh.RemoveLastVertex();
     step = step * half;
   }
   return None;
 }
 
-/** Whether a vertex is a Steiner point in the volume, which may lie on the segment by rounding. */
-bool SegmentRecovery::IsFree(Id vertex) const
+/** Put a point where the segment from start to end crosses an edge. */
+Id SplitCrossedEdge(FlippableMesh& mesh, Id start, Id end, const Crossing& crossing, Id off)
 {
-  if (vertex <= this->Mesh.Infinite())
-  {
-    return false;
-  }
-  const PointSupport support = FindPointSupport(this->Mesh, this->Segments, vertex);
-  return support.Segment == None && support.Facets.empty();
+  const Id u = crossing.U;
+  const Id v = crossing.V;
+  const DyadicNumber atStart = mesh.Vertices().Determinant(u, v, off, start);
+  const DyadicNumber atEnd = mesh.Vertices().Determinant(u, v, off, end);
+  const Id point =
+    mesh.AddVertexBetween(start, end, DyadicNumber(0) - atEnd, atStart, { { start, end, end } });
+  EdgeRing ring;
+  mesh.Ring(u, v, crossing.Cell, ring);
+  mesh.SplitEdge(ring, point);
+  return point;
 }
 
-bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
+bool SplitAndRecover(ExactState& state, Id segment, Id start, Id end)
 {
+  FlippableMesh& mesh = state.Mesh;
+  const FlipTarget nothing(mesh);
   Id a = start;
-  const Id b = end;
-  for (int splits = 0; !this->Recover(a, b, EngineLimits::PlainFlips); ++splits)
+  for (int splits = 0; !Recover(state, a, end, PlainFlips); ++splits)
   {
-    if (splits == EngineLimits::SplitsPerSegment || this->Mesh.Work().IsUsedUp())
+    if (splits == SplitsPerSegment || mesh.Work().IsUsedUp())
     {
       return false;
     }
-    this->Progress.Check(Phases::SplittingSegments, 0);
+    state.Report(Phases::SplittingSegments);
     // Points are made from the segment's own ends, which are short, not from Steiner points on it.
     Id point = None;
-    if (FirstCrossing(this->Mesh, a, b).Kind == Crossing::ThroughEdge &&
-      this->FlatFlips.MakeEdge(a, b))
+    if (FirstCrossing(mesh, a, end).Kind == Crossing::ThroughEdge && MakeEdge(state, a, end))
     {
       return true;
     }
-    const Crossing crossing = FirstCrossing(this->Mesh, a, b);
+    const Crossing crossing = FirstCrossing(mesh, a, end);
     if (crossing.Kind == Crossing::ThroughEdge)
     {
-      if (this->FlatFlips.StarEdge(crossing.U, crossing.V))
+      if (StarEdge(state, crossing.U, crossing.V))
       {
         continue;
       }
-      const Id off = this->Mesh.VertexOffPlane(a, b, crossing.U);
-      const DyadicNumber atA =
-        this->Mesh.Vertices().Determinant(crossing.U, crossing.V, off, start);
-      const DyadicNumber atB = this->Mesh.Vertices().Determinant(crossing.U, crossing.V, off, end);
-      point = this->Mesh.AddVertexBetween(
-        start, end, DyadicNumber(0) - atB, atA, { { start, end, end } });
-      EdgeRing ring;
-      this->Mesh.Ring(crossing.U, crossing.V, crossing.Cell, ring);
-      this->Mesh.SplitEdge(ring, point);
+      point = SplitCrossedEdge(mesh, start, end, crossing, mesh.VertexOffPlane(a, end, crossing.U));
     }
-    else if (crossing.Kind == Crossing::AtVertex && this->IsFree(crossing.U))
+    else if (crossing.Kind == Crossing::AtVertex && crossing.U > mesh.Infinite() &&
+      state.SupportOf(crossing.U).IsNothing())
     {
-      point = crossing.U;
+      point = crossing.U; // in the volume, which may lie on the segment by rounding
     }
     else if (crossing.Kind == Crossing::ThroughFace)
     {
-      const Id beyond = this->Mesh.Cell(crossing.Cell).Neighbors[crossing.Face];
-      const Id apex = this->Mesh.Opposite(crossing.Cell, crossing.Face);
-      if (apex == b)
+      const Id beyond = mesh.Cell(crossing.Cell).Neighbors[crossing.Face];
+      const Id apex = mesh.Opposite(crossing.Cell, crossing.Face);
+      if (apex == end)
       {
-        this->Flips.RemoveFace(
-          crossing.Cell, crossing.Face, FlipTarget(this->Mesh), EngineLimits::AnyFlip);
-        return this->Mesh.FindEdge(a, b) != None;
+        RemoveFace(state, crossing.Cell, crossing.Face, nothing, AnyFlip);
+        return mesh.FindEdge(a, end) != None;
       }
-      point = this->SteinerPointWithin(beyond, start, end, apex);
+      point = SteinerPointWithin(mesh, beyond, start, end, apex);
       if (point == None)
       {
         return false;
       }
-      this->Mesh.SplitCell(beyond, point);
-      this->Flips.RemoveFace(
-        crossing.Cell, crossing.Face, FlipTarget(this->Mesh), EngineLimits::AnyFlip);
+      mesh.SplitCell(beyond, point);
+      RemoveFace(state, crossing.Cell, crossing.Face, nothing, AnyFlip);
     }
-    if (point == None || this->Mesh.FindEdge(a, point) == None)
+    if (point == None || mesh.FindEdge(a, point) == None)
     {
       return false;
     }
-    this->Segments.Split(segment, a, b, point);
+    state.Segments.Split(segment, a, end, point);
     a = point;
   }
   return true;
 }
+} // namespace
 
-std::vector<Id> SegmentRecovery::RecoverBySplits(
-  const std::vector<Id>& missing, From from, SteinerPoints& steiner)
+std::vector<Id> RecoverSegmentsBySplits(
+  ExactState& state, const std::vector<Id>& missing, SplitFrom from)
 {
   std::vector<Id> failed;
   for (std::size_t k = 0; k < missing.size(); ++k)
   {
     if (k % SegmentsPerCheck == 0)
     {
-      this->Progress.Check(Phases::SplittingSegments, static_cast<double>(k) / missing.size());
+      state.Report(Phases::SplittingSegments, static_cast<double>(k) / missing.size());
     }
-    const Id first = this->Mesh.Vertices().Size();
-    const std::array<Id, 2> ends = this->Segments.EndsOf(missing[k]);
-    const bool isRecovered = from == From::LowerEnd
-      ? this->SplitAndRecover(missing[k], ends[0], ends[1])
-      : this->SplitAndRecover(missing[k], ends[1], ends[0]);
-    if (!isRecovered)
+    const Id first = state.Mesh.Vertices().Size();
+    std::array<Id, 2> ends = state.Segments.EndsOf(missing[k]);
+    if (from == SplitFrom::HigherEnd)
     {
-      this->Segments.Release(missing[k]);
+      std::swap(ends[0], ends[1]);
+    }
+    if (!SplitAndRecover(state, missing[k], ends[0], ends[1]))
+    {
+      state.Segments.Release(missing[k]);
       failed.push_back(missing[k]);
     }
-    steiner.Tidy(first);
+    Tidy(state, first);
   }
   return failed;
 }

@@ -1,81 +1,91 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RoundPoints.h"
 
-#include "Exact/EngineLimits.h"
+#include "Exact/MovePoint.h"
 #include "Exact/Phases.h"
-#include "Exact/PointSupport.h"
 #include "Exact/RoundingPlaces.h"
+#include "Exact/SteinerPoints.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace insideout
 {
 // --- Rounding ------------------------------------------------------------------------------------
 
-std::vector<Id> PointRounder::Unrounded() const
+namespace
 {
-  std::vector<Id> points;
-  for (Id point = this->Mesh.Infinite() + 1; point < this->Mesh.Vertices().Size(); ++point)
-  {
-    if (!this->Mesh.Vertices().IsDouble(point) && this->Mesh.HasVertex(point))
-    {
-      points.push_back(point);
-    }
-  }
-  return points;
-}
+/** Places that are tried per point, of its hundreds, where many points are tried again and again.
+ */
+constexpr int PlacesAtRandom = 60;
 
-std::vector<Id> PointRounder::Round()
+/** Round what can be. @param[in] round called with a point and its places. @return the others */
+std::vector<Id> RoundEach(
+  ExactState& state, const std::function<bool(Id, const std::vector<Point>&)>& round)
 {
+  const FlippableMesh& mesh = state.Mesh;
   std::vector<Id> left;
-  for (const Id point : this->Unrounded())
+  const Id end = mesh.Vertices().Size();
+  for (Id point = mesh.Infinite() + 1; point < end; ++point)
   {
-    this->Progress.Check(Phases::RoundingPoints, 0);
-    const std::vector<Point> places = PlacesFor(this->Mesh, this->Segments, point);
-    if (std::none_of(places.begin(), places.end(),
-          [&](const Point& place) { return this->Mover.Move(point, place); }))
+    if (!mesh.Vertices().IsDouble(point) && mesh.HasVertex(point))
     {
-      left.push_back(point);
+      state.Report(Phases::RoundingPoints);
+      if (!round(point, PlacesFor(state, point)))
+      {
+        left.push_back(point);
+      }
     }
   }
   return left;
 }
+} // namespace
 
-std::vector<Id> PointRounder::RoundSomehow(std::mt19937& random)
+std::vector<Id> RoundInOrder(ExactState& state)
 {
-  std::vector<Id> left;
-  for (const Id point : this->Unrounded())
-  {
-    this->Progress.Check(Phases::RoundingPoints, 0);
-    const std::vector<Point> places = PlacesFor(this->Mesh, this->Segments, point);
-    bool isRounded = false;
-    for (int k = 0; k < EngineLimits::PlacesAtRandom && !isRounded; ++k)
+  return RoundEach(state,
+    [&](Id point, const std::vector<Point>& places)
     {
-      isRounded = this->Mover.Move(point, places[random() % places.size()]);
-    }
-    if (!isRounded)
+      return std::any_of(places.begin(), places.end(),
+        [&](const Point& place) { return MovePoint(state, point, place); });
+    });
+}
+
+std::vector<Id> RoundAtRandom(ExactState& state)
+{
+  return RoundEach(state,
+    [&](Id point, const std::vector<Point>& places)
     {
-      left.push_back(point);
-    }
-  }
-  return left;
+      bool isRounded = false;
+      for (int k = 0; k < PlacesAtRandom && !isRounded; ++k)
+      {
+        isRounded = MovePoint(state, point, places[state.Random() % places.size()]);
+      }
+      return isRounded;
+    });
 }
 
 // --- Out of the way ------------------------------------------------------------------------------
 
+namespace
+{
+/** Other places that are tried for a point which is in the way, or for one more. */
+constexpr int PlacesPerStir = 8;
+
 /** An average of the corners around a point. */
-Point PointRounder::RandomPlaceInVolume(Id point, std::mt19937& random) const
+Point RandomPlaceInVolume(ExactState& state, Id point)
 {
   std::vector<Id> star;
-  this->Mesh.Star(point, star);
+  state.Mesh.Star(point, star);
   Point sum = { { 0, 0, 0 } };
   double weights = 0;
   for (const Id cell : star)
   {
-    for (const Id corner : this->Mesh.Cell(cell).Corners)
+    for (const Id corner : state.Mesh.Cell(cell).Corners)
     {
-      const double weight = corner == this->Mesh.Infinite() ? 0 : static_cast<double>(random());
-      const Point at = this->Mesh.Vertices().Nearest(corner);
+      const double weight =
+        corner == state.Mesh.Infinite() ? 0 : static_cast<double>(state.Random());
+      const Point at = state.Mesh.Vertices().Nearest(corner);
       for (int k = 0; k < 3; ++k)
       {
         sum[k] += weight * at[k];
@@ -85,41 +95,45 @@ Point PointRounder::RandomPlaceInVolume(Id point, std::mt19937& random) const
   }
   return { { sum[0] / weights, sum[1] / weights, sum[2] / weights } };
 }
+} // namespace
 
-void PointRounder::Stir(const std::vector<Id>& points, std::mt19937& random)
+void Stir(ExactState& state, const std::vector<Id>& points)
 {
-  for (const Id neighbor : this->Mesh.NeighborsOf(points))
+  for (const Id neighbor : state.Mesh.NeighborsOf(points))
   {
-    if (neighbor < this->Mesh.Infinite())
+    if (neighbor < state.Mesh.Infinite())
     {
       continue;
     }
-    this->Progress.Check(Phases::RoundingPoints, 0);
-    const PointSupport support = FindPointSupport(this->Mesh, this->Segments, neighbor);
+    state.Report(Phases::RoundingPoints);
+    const PointSupport support = state.SupportOf(neighbor);
     std::vector<Point> places;
     if (support.Segment != None)
     {
-      const std::array<Id, 2> ends = this->Segments.NeighborsOnPath(support.Segment, neighbor);
-      places = PlacesBetween(this->Mesh, ends[0], ends[1]);
+      const std::array<Id, 2> ends = state.Segments.NeighborsOnPath(support.Segment, neighbor);
+      places = PlacesBetween(state.Mesh, ends[0], ends[1]);
     }
     else if (!support.Facets.empty())
     {
       continue;
     }
     bool isMoved = false;
-    for (int k = 0; k < EngineLimits::PlacesPerStir && !isMoved; ++k)
+    for (int k = 0; k < PlacesPerStir && !isMoved; ++k)
     {
-      isMoved = this->Mover.Move(neighbor,
-        places.empty() ? this->RandomPlaceInVolume(neighbor, random)
-                       : places[random() % places.size()]);
+      isMoved = MovePoint(state, neighbor,
+        places.empty() ? RandomPlaceInVolume(state, neighbor)
+                       : places[state.Random() % places.size()]);
     }
   }
 }
 
-/** Split a piece of a segment at a place near it, where no cell turns over. */
-bool PointRounder::SplitAt(Id segment, const EdgeRing& ring, const Point& place)
+namespace
 {
-  const Id point = this->Mesh.AddVertex(place);
+/** Split a piece of a segment at a place near it, where no cell turns over. */
+bool SplitAt(ExactState& state, Id segment, const EdgeRing& ring, const Point& place)
+{
+  FlippableMesh& mesh = state.Mesh;
+  const Id point = mesh.AddVertex(place);
   const std::size_t n = ring.Points.size();
   std::vector<Id> facets;
   for (std::size_t k = 0; k < n; ++k)
@@ -127,47 +141,47 @@ bool PointRounder::SplitAt(Id segment, const EdgeRing& ring, const Point& place)
     const Id cell = ring.Cells[k];
     for (const Id end : { ring.U, ring.V })
     {
-      Tetrahedron t = this->Mesh.Cell(cell).Corners;
-      t[this->Mesh.CornerIndex(cell, end)] = point;
-      if (this->Mesh.IsInfinite(cell) || this->Mesh.Vertices().Orient(t[0], t[1], t[2], t[3]) <= 0)
+      Tetrahedron t = mesh.Cell(cell).Corners;
+      t[mesh.CornerIndex(cell, end)] = point;
+      if (mesh.IsInfinite(cell) || mesh.Vertices().Orient(t[0], t[1], t[2], t[3]) <= 0)
       {
-        this->Mesh.RemoveLastVertex();
+        mesh.RemoveLastVertex();
         return false;
       }
     }
-    const Id next = ring.Points[(k + 1) % n];
-    facets.push_back(this->Mesh.Cell(cell).Facets[this->Mesh.CornerIndex(cell, next)]);
+    facets.push_back(mesh.Cell(cell).Facets[mesh.CornerIndex(cell, ring.Points[(k + 1) % n])]);
   }
-  this->Mesh.SplitEdge(ring, point);
+  mesh.SplitEdge(ring, point);
   for (std::size_t k = 0; k < n; ++k)
   {
     for (const Id end : { ring.U, ring.V })
     {
-      this->Mesh.MarkFace(point, end, ring.Points[k], facets[k]);
+      mesh.MarkFace(point, end, ring.Points[k], facets[k]);
     }
   }
-  this->Segments.Split(segment, ring.U, ring.V, point);
+  state.Segments.Split(segment, ring.U, ring.V, point);
   return true;
 }
+} // namespace
 
-void PointRounder::SplitBeside(const std::vector<Id>& points, std::mt19937& random)
+void SplitBeside(ExactState& state, const std::vector<Id>& points)
 {
   for (const Id point : points)
   {
-    const PointSupport support = FindPointSupport(this->Mesh, this->Segments, point);
-    if (support.Segment == None)
+    const Id segment = state.Segments.Around(point);
+    if (segment == None)
     {
       continue;
     }
-    for (const Id neighbor : this->Segments.NeighborsOnPath(support.Segment, point))
+    for (const Id neighbor : state.Segments.NeighborsOnPath(segment, point))
     {
-      const std::vector<Point> places = PlacesBetween(this->Mesh, point, neighbor);
+      const std::vector<Point> places = PlacesBetween(state.Mesh, point, neighbor);
       EdgeRing ring;
-      this->Mesh.Ring(point, neighbor, this->Mesh.FindEdge(point, neighbor), ring);
+      state.Mesh.Ring(point, neighbor, state.Mesh.FindEdge(point, neighbor), ring);
       bool isSplit = false;
-      for (int k = 0; k < EngineLimits::PlacesPerStir && !isSplit; ++k)
+      for (int k = 0; k < PlacesPerStir && !isSplit; ++k)
       {
-        isSplit = this->SplitAt(support.Segment, ring, places[random() % places.size()]);
+        isSplit = SplitAt(state, segment, ring, places[state.Random() % places.size()]);
       }
     }
   }
@@ -175,37 +189,36 @@ void PointRounder::SplitBeside(const std::vector<Id>& points, std::mt19937& rand
 
 // --- All together --------------------------------------------------------------------------------
 
-std::vector<Id> PointRounder::RoundAll(
-  bool maySplitBeside, std::int64_t since, std::mt19937& random)
+std::vector<Id> RoundPoints(ExactState& state, bool maySplitBeside, std::int64_t since)
 {
-  const Id first = this->Mesh.Infinite() + 1;
-  std::vector<Id> left = this->Round();
+  const Id first = state.Mesh.Infinite() + 1;
+  std::vector<Id> left = RoundInOrder(state);
   std::size_t before = left.size() + 1;
   while (!left.empty() && left.size() < before)
   {
     before = left.size();
-    this->Steiner.Tidy(first, since);
-    left = this->Round();
+    Tidy(state, first, since);
+    left = RoundInOrder(state);
   }
-  int patience = EngineLimits::ShakesWithoutGain;
+  int patience = ShakesWithoutGain;
   bool isSplit = false;
-  while (!left.empty() && patience > 0 && !this->Mesh.Work().IsUsedUp())
+  while (!left.empty() && patience > 0 && !state.Mesh.Work().IsUsedUp())
   {
     before = left.size();
-    if (maySplitBeside && patience == EngineLimits::ShakesWithoutGain / 2)
+    if (maySplitBeside && patience == ShakesWithoutGain / 2)
     {
-      this->SplitBeside(left, random);
+      SplitBeside(state, left);
       isSplit = true;
     }
-    this->Stir(left, random);
-    this->Steiner.Shake(left, random);
-    left = this->RoundSomehow(random);
-    patience = left.size() < before ? EngineLimits::ShakesWithoutGain : patience - 1;
+    Stir(state, left);
+    Shake(state, left);
+    left = RoundAtRandom(state);
+    patience = left.size() < before ? ShakesWithoutGain : patience - 1;
   }
   if (isSplit && left.empty())
   {
-    this->Steiner.Tidy(first, since);
-    left = this->Round();
+    Tidy(state, first, since);
+    left = RoundInOrder(state);
   }
   return left;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RoundingPlaces.h"
 
-#include "Exact/PointSupport.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -24,9 +22,8 @@ constexpr std::array<double, 7> StepsInVolume = { { 1, 8, 64, 4096, 1e6, 1e9, 1e
 
 /** Places along the segment, those first that fewer binary digits say. */
 std::vector<Point> PlacesOnSegment(
-  const FlippableMesh& mesh, const SegmentTable& segments, Id point, Id segment, bool exactly)
+  const FlippableMesh& mesh, const std::array<Id, 2>& ends, Id point, bool exactly)
 {
-  const std::array<Id, 2>& ends = segments.EndsOf(segment);
   const Point a = mesh.Vertices().Nearest(ends[0]);
   const Point b = mesh.Vertices().Nearest(ends[1]);
   const Point now = mesh.Vertices().Nearest(point);
@@ -128,25 +125,26 @@ std::vector<Point> PlacesBetween(const FlippableMesh& mesh, Id u, Id v)
   return places;
 }
 
-std::vector<Point> PlacesFor(const FlippableMesh& mesh, const SegmentTable& segments, Id point)
+std::vector<Point> PlacesFor(const ExactState& state, Id point)
 {
-  const PointSupport support = FindPointSupport(mesh, segments, point);
+  const FlippableMesh& mesh = state.Mesh;
+  const SegmentTable& segments = state.Segments;
+  const PointSupport support = state.SupportOf(point);
   const Id segment = support.Segment;
   std::vector<Point> places;
   std::vector<Point> between;
   if (segment != None)
   {
-    places = PlacesOnSegment(mesh, segments, point, segment, true);
+    places = PlacesOnSegment(mesh, segments.EndsOf(segment), point, true);
     const std::array<Id, 2> ends = segments.NeighborsOnPath(segment, point);
     between = PlacesBetween(mesh, ends[0], ends[1]);
   }
-  const std::vector<Point> beside = support.Facets.empty() && segment == None
-    ? PlacesBeside(mesh, point, StepsInVolume)
-    : PlacesBeside(mesh, point, StepsAside);
+  const std::vector<Point> beside = support.IsNothing() ? PlacesBeside(mesh, point, StepsInVolume)
+                                                        : PlacesBeside(mesh, point, StepsAside);
   places.push_back(beside.front());
   if (segment != None)
   {
-    const std::vector<Point> near = PlacesOnSegment(mesh, segments, point, segment, false);
+    const std::vector<Point> near = PlacesOnSegment(mesh, segments.EndsOf(segment), point, false);
     places.insert(places.end(), near.begin(), near.end());
   }
   places.insert(places.end(), beside.begin() + 1, beside.end());

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Exact/FlippableMesh.h"
-#include "Exact/SegmentTable.h"
-
-#include <vector>
+#include "Exact/ExactState.h"
 
 namespace insideout
 {
@@ -13,7 +10,7 @@ namespace insideout
  * on its segment exactly, its nearest doubles, beside the segment, around, and all along the
  * segment. The cells around need not stay positive there.
  */
-std::vector<Point> PlacesFor(const FlippableMesh& mesh, const SegmentTable& segments, Id point);
+std::vector<Point> PlacesFor(const ExactState& state, Id point);
 
 /** Places all along the way between two vertices, each a little aside, too. */
 std::vector<Point> PlacesBetween(const FlippableMesh& mesh, Id u, Id v);

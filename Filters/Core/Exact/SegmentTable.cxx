@@ -9,67 +9,54 @@ namespace insideout
 SegmentTable::SegmentTable(const std::vector<Triangle>& facets)
 {
   const auto given = std::make_shared<GivenEdges>();
-  Id vertices = 0;
-  for (const Triangle& facet : facets)
-  {
-    vertices = std::max({ vertices, facet[0] + 1, facet[1] + 1, facet[2] + 1 });
-  }
   // Of edges between the same two vertices the first gives the segment its number.
   struct Side
   {
-    Id HigherEnd;
+    std::array<Id, 2> Ends;
     std::size_t Number;
   };
-  Buckets<Side> sides(static_cast<std::size_t>(vertices),
-    [&facets](const auto& visit)
-    {
-      for (std::size_t number = 0; number < 3 * facets.size(); ++number)
-      {
-        const Id u = facets[number / 3][number % 3];
-        const Id v = facets[number / 3][(number % 3 + 1) % 3];
-        visit(static_cast<std::size_t>(std::min(u, v)), Side{ std::max(u, v), number });
-      }
-    });
-  std::vector<std::size_t> firstSide(3 * facets.size());
-  for (std::size_t low = 0; low < sides.Size(); ++low)
+  std::vector<Side> sides(3 * facets.size());
+  Id vertices = 0;
+  for (std::size_t number = 0; number < sides.size(); ++number)
   {
-    sides.Sort(low,
-      [](const Side& a, const Side& b)
-      { return std::tie(a.HigherEnd, a.Number) < std::tie(b.HigherEnd, b.Number); });
-    const Side* first = sides[low].begin();
-    for (const Side& side : sides[low])
-    {
-      first = side.HigherEnd == first->HigherEnd ? first : &side;
-      firstSide[side.Number] = first->Number;
-    }
+    const Triangle& facet = facets[number / 3];
+    const auto ends = std::minmax(facet[number % 3], facet[(number + 1) % 3]);
+    sides[number] = { { { ends.first, ends.second } }, number };
+    vertices = std::max(vertices, ends.second + 1);
+  }
+  std::sort(sides.begin(), sides.end(),
+    [](const Side& a, const Side& b)
+    { return std::tie(a.Ends, a.Number) < std::tie(b.Ends, b.Number); });
+  std::vector<Side> first(sides.size()); // per side, of the same edge
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const bool isFirst = i == 0 || sides[i].Ends != sides[i - 1].Ends;
+    first[sides[i].Number] = isFirst ? sides[i] : first[sides[i - 1].Number];
   }
   given->OfFacets.resize(facets.size());
-  for (std::size_t number = 0; number < firstSide.size(); ++number)
+  const auto segmentOf = [&given](std::size_t side) -> Id&
+  { return given->OfFacets[side / 3][side % 3]; };
+  for (std::size_t number = 0; number < first.size(); ++number)
   {
-    const std::size_t first = firstSide[number];
-    if (first == number)
+    if (first[number].Number == number)
     {
-      const Id u = facets[number / 3][number % 3];
-      const Id v = facets[number / 3][(number % 3 + 1) % 3];
-      given->OfFacets[number / 3][number % 3] = static_cast<Id>(given->Ends.size());
-      given->Ends.push_back({ { std::min(u, v), std::max(u, v) } });
+      segmentOf(number) = static_cast<Id>(given->Ends.size());
+      given->Ends.push_back(first[number].Ends);
     }
-    given->OfFacets[number / 3][number % 3] = given->OfFacets[first / 3][first % 3];
+    segmentOf(number) = segmentOf(first[number].Number);
   }
   given->ByLowerEnd = Buckets<HigherEnd>(static_cast<std::size_t>(vertices),
-    [&given](const auto& visit)
+    [&](const auto& visit)
     {
-      for (std::size_t s = 0; s < given->Ends.size(); ++s)
+      for (const Side& side : sides)
       {
-        visit(static_cast<std::size_t>(given->Ends[s][0]),
-          HigherEnd{ given->Ends[s][1], static_cast<Id>(s) });
+        if (first[side.Number].Number == side.Number)
+        {
+          visit(static_cast<std::size_t>(side.Ends[0]),
+            HigherEnd{ side.Ends[1], segmentOf(side.Number) });
+        }
       }
     });
-  for (std::size_t low = 0; low < given->ByLowerEnd.Size(); ++low)
-  {
-    given->ByLowerEnd.Sort(
-      low, [](const HigherEnd& a, const HigherEnd& b) { return a.Vertex < b.Vertex; });
-  }
   this->IsWhole.assign(given->Ends.size(), 1);
   this->Given = given;
 }

@@ -1,139 +1,164 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/SteinerPoints.h"
 
-#include "Exact/EngineLimits.h"
+#include "Exact/DissolvePoint.h"
+#include "Exact/Flips.h"
+#include "Exact/MovePoint.h"
 #include "Exact/Phases.h"
-#include "Exact/PointSupport.h"
 
 #include <algorithm>
 
 namespace insideout
 {
-/** Take away edges at a point that carry no constraint. */
-void SteinerPoints::LowerDegree(Id point)
+// --- One point -----------------------------------------------------------------------------------
+
+namespace
 {
-  const FlipTarget nothing(this->Mesh);
+/** Take away edges at a point that carry no constraint. */
+void LowerDegree(ExactState& state, Id point)
+{
+  const FlippableMesh& mesh = state.Mesh;
+  const FlipTarget nothing(mesh);
   std::int64_t before = -1; // an edge that stayed stays where nothing has changed since
-  while (this->Mesh.NumberOfChanges() > before)
+  while (mesh.NumberOfChanges() > before)
   {
     const std::int64_t since = before;
-    before = this->Mesh.NumberOfChanges();
-    for (const Id neighbor : this->Mesh.NeighborsOf({ point }))
+    before = mesh.NumberOfChanges();
+    for (const Id neighbor : mesh.NeighborsOf({ point }))
     {
       const Id cell =
-        this->Mesh.LastChangeAround(neighbor) > since ? this->Mesh.FindEdge(point, neighbor) : None;
+        mesh.LastChangeAround(neighbor) > since ? mesh.FindEdge(point, neighbor) : None;
       if (cell != None)
       {
-        this->Flips.RemoveEdge(point, neighbor, cell, nothing, EngineLimits::AnyFlip);
+        RemoveEdge(state, point, neighbor, cell, nothing, AnyFlip);
       }
     }
   }
 }
 
-bool SteinerPoints::RemoveOne(Id point)
+/** Connect all that is around a point in the volume with a neighbor of it. */
+bool CollapseAnyhow(ExactState& state, Id point)
 {
-  this->LowerDegree(point);
-  return this->Dissolver.Dissolve(point, VolumePoints::None) || this->Collapse(point);
-}
-
-bool SteinerPoints::Collapse(Id point)
-{
-  const PointSupport support = FindPointSupport(this->Mesh, this->Segments, point);
-  if (support.Segment != None || !support.Facets.empty())
+  if (!state.SupportOf(point).IsNothing())
   {
     return false;
   }
-  const std::vector<Id> neighbors = this->Mesh.NeighborsOf({ point });
+  const std::vector<Id> neighbors = state.Mesh.NeighborsOf({ point });
   return std::any_of(neighbors.begin(), neighbors.end(),
-    [&](Id neighbor) { return this->Mover.Collapse(point, neighbor); });
+    [&](Id neighbor) { return CollapsePoint(state, point, neighbor); });
 }
 
-void SteinerPoints::Remove(Id first, std::int64_t since)
+bool RemovePoint(ExactState& state, Id point)
 {
-  // What failed once is tried again only when something around has changed.
-  std::vector<std::int64_t> triedAt(
-    static_cast<std::size_t>(this->Mesh.Vertices().Size() - first), since);
-  std::size_t tried = 0;
-  std::size_t removed = 1;
-  for (int pass = 0;
-       pass < EngineLimits::RemovingPasses && removed > tried / EngineLimits::LeastYield; ++pass)
+  LowerDegree(state, point);
+  return DissolvePoint(state, point, VolumePoints::None) || CollapseAnyhow(state, point);
+}
+} // namespace
+
+// --- All of them ---------------------------------------------------------------------------------
+
+namespace
+{
+/** Stop removing points one by one when fewer than one in this many goes, or after this many
+ * passes, which none was seen to take. */
+constexpr std::size_t LeastYield = 50;
+constexpr int RemovingPasses = 1000;
+
+void MoveIntoVolume(ExactState& state, Id first, std::int64_t since)
+{
+  const FlippableMesh& mesh = state.Mesh;
+  for (Id point = mesh.Vertices().Size() - 1; point >= first && !mesh.Work().IsUsedUp(); --point)
   {
-    tried = 0;
-    removed = 0;
-    for (Id point = this->Mesh.Vertices().Size() - 1;
-         point >= first && !this->Mesh.Work().IsUsedUp(); --point)
+    if (mesh.HasVertex(point) && mesh.LastChangeAround(point) > since)
     {
-      if (this->Mesh.HasVertex(point) &&
-        this->Mesh.LastChangeAround(point) > triedAt[point - first])
-      {
-        this->Progress.Check(Phases::RemovingPoints, 0);
-        ++tried;
-        removed += this->RemoveOne(point) ? 1 : 0;
-        triedAt[point - first] = this->Mesh.NumberOfChanges();
-      }
+      state.Report(Phases::MovingPoints);
+      DissolvePoint(state, point, VolumePoints::AsNeeded);
     }
   }
 }
 
-void SteinerPoints::Tidy(Id first, std::int64_t since)
+void RemovePoints(ExactState& state, Id first, std::int64_t since)
 {
-  this->MoveIntoVolume(first, since);
-  this->Remove(first, since);
+  const FlippableMesh& mesh = state.Mesh;
+  // What failed once is tried again only when something around has changed.
+  std::vector<std::int64_t> triedAt(
+    static_cast<std::size_t>(mesh.Vertices().Size() - first), since);
+  std::size_t tried = 0;
+  std::size_t removed = 1;
+  for (int pass = 0; pass < RemovingPasses && removed > tried / LeastYield; ++pass)
+  {
+    tried = 0;
+    removed = 0;
+    for (Id point = mesh.Vertices().Size() - 1; point >= first && !mesh.Work().IsUsedUp(); --point)
+    {
+      if (mesh.HasVertex(point) && mesh.LastChangeAround(point) > triedAt[point - first])
+      {
+        state.Report(Phases::RemovingPoints);
+        ++tried;
+        removed += RemovePoint(state, point) ? 1 : 0;
+        triedAt[point - first] = mesh.NumberOfChanges();
+      }
+    }
+  }
+}
+} // namespace
+
+void Tidy(ExactState& state, Id first, std::int64_t since)
+{
+  MoveIntoVolume(state, first, since);
+  RemovePoints(state, first, since);
 }
 
-void SteinerPoints::FlipAround(Id vertex, std::mt19937& random)
+// --- Shaking -------------------------------------------------------------------------------------
+
+namespace
 {
-  const FlipTarget nothing(this->Mesh);
+/** Flips at random for each cell around a point, and at most around a point. */
+constexpr std::size_t FlipsPerCell = 2;
+constexpr std::size_t FlipsPerShake = 200;
+} // namespace
+
+void FlipAround(ExactState& state, Id vertex)
+{
+  const FlippableMesh& mesh = state.Mesh;
+  std::mt19937& random = state.Random;
+  const FlipTarget nothing(mesh);
   std::vector<Id> star;
-  this->Mesh.Star(vertex, star);
-  std::int64_t starAt = this->Mesh.NumberOfChanges();
-  const std::size_t tries =
-    std::min(EngineLimits::FlipsPerCell * star.size(), std::size_t(EngineLimits::FlipsPerShake));
+  mesh.Star(vertex, star);
+  std::int64_t starAt = mesh.NumberOfChanges();
+  const std::size_t tries = std::min(FlipsPerCell * star.size(), FlipsPerShake);
   for (std::size_t k = 0; k < tries; ++k)
   {
-    if (this->Mesh.LastChangeAround(vertex) > starAt)
+    if (mesh.LastChangeAround(vertex) > starAt)
     {
       star.clear();
-      this->Mesh.Star(vertex, star);
-      starAt = this->Mesh.NumberOfChanges();
+      mesh.Star(vertex, star);
+      starAt = mesh.NumberOfChanges();
     }
     const Id cell = star[random() % star.size()];
     const int i = static_cast<int>(random() % 4);
     const int j = static_cast<int>(i + 1 + random() % 3) % 4;
-    const Id u = this->Mesh.Cell(cell).Corners[i];
-    const Id v = this->Mesh.Cell(cell).Corners[j];
-    if (random() % 2 == 0 || !this->Flips.RemoveFace(cell, i, nothing, EngineLimits::AnyFlip))
+    const Id u = mesh.Cell(cell).Corners[i];
+    const Id v = mesh.Cell(cell).Corners[j];
+    if (random() % 2 == 0 || !RemoveFace(state, cell, i, nothing, AnyFlip))
     {
-      this->Flips.RemoveEdge(u, v, cell, nothing, EngineLimits::AnyFlip);
+      RemoveEdge(state, u, v, cell, nothing, AnyFlip);
     }
   }
 }
 
-void SteinerPoints::Shake(const std::vector<Id>& points, std::mt19937& random)
+void Shake(ExactState& state, const std::vector<Id>& points)
 {
   for (const Id point : points)
   {
-    this->Progress.Check(Phases::ShakingPoints, 0);
-    if (this->Mesh.HasVertex(point))
+    state.Report(Phases::ShakingPoints);
+    if (state.Mesh.HasVertex(point))
     {
-      this->FlipAround(point, random);
-      if (!this->RemoveOne(point))
+      FlipAround(state, point);
+      if (!RemovePoint(state, point))
       {
-        this->Dissolver.Dissolve(point, VolumePoints::AsNeeded);
+        DissolvePoint(state, point, VolumePoints::AsNeeded);
       }
-    }
-  }
-}
-
-void SteinerPoints::MoveIntoVolume(Id first, std::int64_t since)
-{
-  for (Id point = this->Mesh.Vertices().Size() - 1; point >= first && !this->Mesh.Work().IsUsedUp();
-       --point)
-  {
-    if (this->Mesh.HasVertex(point) && this->Mesh.LastChangeAround(point) > since)
-    {
-      this->Progress.Check(Phases::MovingPoints, 0);
-      this->Dissolver.Dissolve(point, VolumePoints::AsNeeded);
     }
   }
 }

@@ -14,7 +14,7 @@ namespace
 {
 bool Dissolve(MeshWithFacets& mesh, Id point, VolumePoints volumePoints = VolumePoints::None)
 {
-  return PointDissolver(mesh.Mesh, mesh.Segments).Dissolve(point, volumePoints);
+  return DissolvePoint(mesh, point, volumePoints);
 }
 
 /** Expect all laws, and that facets cover what they covered, between the segments. */

@@ -63,8 +63,8 @@ struct Star
 
   bool Fill(VolumePoints volumePoints, std::vector<Tetrahedron>& fresh)
   {
-    return SectorFiller(this->Mesh)
-      .Fill({ this->Walls }, this->Mesh.Vertices().Nearest(0), volumePoints, fresh);
+    return FillSectors(
+      this->Mesh, { this->Walls }, this->Mesh.Vertices().Nearest(0), volumePoints, fresh);
   }
 
   FlippableMesh Mesh;
@@ -219,14 +219,13 @@ TEST(FillSector, FillsNothingWhereNoPointSeesAll)
   one.Corners.resize(4);
   const MeshRecord before(mesh);
   const Point inside = mesh.Vertices().Nearest(one.Corners[0]);
-  SectorFiller filler(mesh);
   for (const VolumePoints volumePoints : { VolumePoints::None, VolumePoints::AsNeeded })
   {
     std::vector<Tetrahedron> fresh;
-    EXPECT_FALSE(filler.Fill({ both }, inside, volumePoints, fresh));
+    EXPECT_FALSE(FillSectors(mesh, { both }, inside, volumePoints, fresh));
     ExpectUnchanged(mesh, before);
     fresh.clear();
-    EXPECT_TRUE(filler.Fill({ one }, inside, volumePoints, fresh));
+    EXPECT_TRUE(FillSectors(mesh, { one }, inside, volumePoints, fresh));
     EXPECT_EQ(fresh.size(), 1u);
   }
 }
@@ -246,8 +245,8 @@ TEST(FillSector, TakesNewPointsBackWhereALaterSectorCannotBeFilled)
   }
   const MeshRecord before(star.Mesh);
   std::vector<Tetrahedron> fresh;
-  EXPECT_FALSE(SectorFiller(star.Mesh).Fill(
-    { star.Walls, star.Walls, turned }, { { 0, 0, 0 } }, VolumePoints::AsNeeded, fresh));
+  EXPECT_FALSE(FillSectors(
+    star.Mesh, { star.Walls, star.Walls, turned }, { { 0, 0, 0 } }, VolumePoints::AsNeeded, fresh));
   ExpectUnchanged(star.Mesh, before);
 }
 
@@ -258,7 +257,7 @@ TEST(FillSector, ConnectsWallsOfASectorBeyondTheHullWithInfinity)
   sector.IsInfinite = true;
   sector.Walls = { { { 0, 1, 2 } }, { { 2, 1, 3 } } };
   std::vector<Tetrahedron> fresh;
-  ASSERT_TRUE(SectorFiller(mesh).Fill({ sector }, { { 0, 0, 0 } }, VolumePoints::None, fresh));
+  ASSERT_TRUE(FillSectors(mesh, { sector }, { { 0, 0, 0 } }, VolumePoints::None, fresh));
   const Id infinite = mesh.Infinite();
   EXPECT_EQ(
     fresh, (std::vector<Tetrahedron>{ { { 0, 1, 2, infinite } }, { { 2, 1, 3, infinite } } }));

@@ -41,7 +41,7 @@ constexpr std::array<std::array<double, 2>, 4> Square = { { { { 0, 0 } }, { { 3,
 
 bool Flip(MeshWithFacets& mesh, Id u, Id v, std::array<Id, 2>& ends)
 {
-  return FlatFlipper(mesh.Mesh, mesh.Segments).Flip(u, v, VolumePoints::AsNeeded, ends[0], ends[1]);
+  return FlipFlat(mesh, u, v, VolumePoints::AsNeeded, ends[0], ends[1]);
 }
 
 void ExpectRefused(MeshWithFacets mesh, Id u, Id v)
@@ -131,7 +131,7 @@ TEST(FlipFlat, MakesEveryDiagonalOfAConvexPolygon)
     for (Id b = a + 2; b < size; ++b)
     {
       MeshWithFacets mesh = fan;
-      EXPECT_TRUE(FlatFlipper(mesh.Mesh, mesh.Segments).MakeEdge(a, b)) << a << ' ' << b;
+      EXPECT_TRUE(MakeEdge(mesh, a, b)) << a << ' ' << b;
       EXPECT_NE(mesh.Mesh.FindEdge(a, b), None);
       EXPECT_EQ(mesh.Mesh.Vertices().Size(), fan.Mesh.Vertices().Size());
       ExpectFlippableMeshLaws(mesh.Mesh, before);
@@ -143,12 +143,12 @@ TEST(FlipFlat, MakesNoEdgeAcrossASegmentOrThroughFaces)
 {
   MeshWithFacets mesh = TwoPyramids(Square, { { { 0, 2, 4 } } });
   const MeshRecord before(mesh.Mesh);
-  EXPECT_FALSE(FlatFlipper(mesh.Mesh, mesh.Segments).MakeEdge(1, 3));
+  EXPECT_FALSE(MakeEdge(mesh, 1, 3));
   ExpectUnchanged(mesh.Mesh, before);
   // From apex to apex through a face.
   MeshWithFacets other = TwoPyramids(Square);
   const MeshRecord otherBefore(other.Mesh);
-  EXPECT_FALSE(FlatFlipper(other.Mesh, other.Segments).MakeEdge(4, 5));
+  EXPECT_FALSE(MakeEdge(other, 4, 5));
   ExpectUnchanged(other.Mesh, otherBefore);
 }
 
@@ -168,7 +168,6 @@ TEST(FlipFlat, TriesNoEdgeAgainOnceNoneThatIsCrossedCanBeFlipped)
     run();
     return work.Spent() - begin;
   };
-  FlatFlipper flips(mesh.Mesh, mesh.Segments);
   const std::int64_t ofWalk = workOf(
     [&]
     {
@@ -184,11 +183,11 @@ TEST(FlipFlat, TriesNoEdgeAgainOnceNoneThatIsCrossedCanBeFlipped)
       std::array<Id, 2> ends;
       for (Id k = 2; k < size - 1; ++k)
       {
-        EXPECT_FALSE(flips.Flip(0, k, VolumePoints::AsNeeded, ends[0], ends[1]));
+        EXPECT_FALSE(FlipFlat(mesh, 0, k, VolumePoints::AsNeeded, ends[0], ends[1]));
       }
     });
   EXPECT_GT(ofFlips, 0);
-  const std::int64_t ofEdge = workOf([&] { EXPECT_FALSE(flips.MakeEdge(1, size - 1)); });
+  const std::int64_t ofEdge = workOf([&] { EXPECT_FALSE(MakeEdge(mesh, 1, size - 1)); });
   EXPECT_LT(ofEdge, ofWalk + 3 * ofFlips);
 }
 
@@ -204,7 +203,7 @@ TEST(FlipFlat, KnownWeaknessMissesAnEdgeWhereTwoFlatQuadrilateralsCross)
     // The apexes are in one plane with the edge from 0 to the last but one.
     MeshWithFacets mesh = Parabola(size, 0);
     const MeshRecord before(mesh.Mesh);
-    const bool isMade = FlatFlipper(mesh.Mesh, mesh.Segments).MakeEdge(size - 4, size - 1);
+    const bool isMade = MakeEdge(mesh, size - 4, size - 1);
     EXPECT_EQ(isMade, mesh.Mesh.FindEdge(size - 4, size - 1) != None);
     EXPECT_EQ(isMade, mesh.Mesh.FindEdge(size, size + 1) == None);
     EXPECT_EQ(mesh.Mesh.FindEdge(0, size - 2), None);
@@ -231,7 +230,7 @@ TEST(FlipFlat, FlipsWhateverIsAboveAndBelow)
     const MeshRecord before(mesh.Mesh);
     const Id a = static_cast<Id>(1 + random() % 2);
     const Id b = static_cast<Id>(a + 2 + random() % 3);
-    const bool isMade = FlatFlipper(mesh.Mesh, mesh.Segments).MakeEdge(a, b);
+    const bool isMade = MakeEdge(mesh, a, b);
     EXPECT_EQ(isMade, mesh.Mesh.FindEdge(a, b) != None);
     ExpectFlippableMeshLaws(mesh.Mesh, before);
     made += isMade ? 1 : 0;
@@ -250,7 +249,7 @@ TEST(FlipFlat, PutsAPointInThePlaceOfAnEdgeThatNothingElseRemoves)
   {
     MeshWithFacets mesh(DelaunayMesh(points), {});
     const MeshRecord before(mesh.Mesh);
-    ASSERT_TRUE(FlatFlipper(mesh.Mesh, mesh.Segments).StarEdge(corner, 4));
+    ASSERT_TRUE(StarEdge(mesh, corner, 4));
     EXPECT_EQ(mesh.Mesh.FindEdge(corner, 4), None);
     EXPECT_EQ(mesh.Mesh.Vertices().Size(), 7);
     EXPECT_TRUE(mesh.Mesh.HasVertex(6));
@@ -262,10 +261,9 @@ TEST(FlipFlat, StarsNoEdgeOfTheHullAndNoConstraint)
 {
   MeshWithFacets mesh = TwoPyramids(Square, { { { 0, 2, 4 } } });
   const MeshRecord before(mesh.Mesh);
-  FlatFlipper flips(mesh.Mesh, mesh.Segments);
-  EXPECT_FALSE(flips.StarEdge(0, 2));
-  EXPECT_FALSE(flips.StarEdge(0, 1));
-  EXPECT_FALSE(flips.StarEdge(1, 3));
+  EXPECT_FALSE(StarEdge(mesh, 0, 2));
+  EXPECT_FALSE(StarEdge(mesh, 0, 1));
+  EXPECT_FALSE(StarEdge(mesh, 1, 3));
   ExpectUnchanged(mesh.Mesh, before);
 }
 
@@ -281,7 +279,7 @@ TEST(FlipFlat, StarsEdgesOfRandomMeshesAndKeepsFacets)
       const std::vector<Id> cells = FiniteCells(mesh.Mesh);
       const Tetrahedron t = CellAt(mesh.Mesh, cells[random() % cells.size()]).Corners;
       const MeshRecord before(mesh.Mesh);
-      if (FlatFlipper(mesh.Mesh, mesh.Segments).StarEdge(t[0], t[1]))
+      if (StarEdge(mesh, t[0], t[1]))
       {
         EXPECT_EQ(mesh.Mesh.FindEdge(t[0], t[1]), None);
         EXPECT_LE(mesh.Mesh.Vertices().Size(), static_cast<Id>(before.Places.size()) + 1);

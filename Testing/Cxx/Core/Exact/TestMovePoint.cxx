@@ -31,7 +31,7 @@ MeshWithFacets TwoOctahedra(std::vector<Triangle> facets = {})
 
 bool Move(MeshWithFacets& mesh, Id point, const Point& place)
 {
-  return PointMover(mesh.Mesh, mesh.Segments).Move(point, place);
+  return MovePoint(mesh, point, place);
 }
 
 void ExpectRefused(MeshWithFacets mesh, Id point, const Point& place)
@@ -226,7 +226,7 @@ TEST(MovePoint, CollapsesAPointIntoANeighborThatSeesAllAround)
   {
     MeshWithFacets mesh = TwoOctahedra({ { { 1, 3, 5 } } });
     const MeshRecord before(mesh.Mesh);
-    EXPECT_TRUE(PointMover(mesh.Mesh, mesh.Segments).Collapse(0, neighbor));
+    EXPECT_TRUE(CollapsePoint(mesh, 0, neighbor));
     EXPECT_FALSE(mesh.Mesh.HasVertex(0));
     EXPECT_NE(mesh.Mesh.FindEdge(neighbor, neighbor % 2 == 1 ? neighbor + 1 : neighbor - 1), None);
     ExpectFlippableMeshLaws(mesh.Mesh, before);
@@ -237,11 +237,10 @@ TEST(MovePoint, CollapsesNoPointOfAFacetOrOfTheHull)
 {
   MeshWithFacets mesh = TwoOctahedra({ { { 0, 1, 3 } } });
   const MeshRecord before(mesh.Mesh);
-  PointMover mover(mesh.Mesh, mesh.Segments);
   for (Id neighbor = 1; neighbor <= 6; ++neighbor)
   {
-    EXPECT_FALSE(mover.Collapse(0, neighbor));
-    EXPECT_FALSE(mover.Collapse(neighbor + 6, neighbor));
+    EXPECT_FALSE(CollapsePoint(mesh, 0, neighbor));
+    EXPECT_FALSE(CollapsePoint(mesh, neighbor + 6, neighbor));
   }
   ExpectUnchanged(mesh.Mesh, before);
 }
@@ -272,7 +271,7 @@ TEST(MovePoint, CollapsingAnyPointKeepsTheRest)
           continue;
         }
         const MeshRecord before(mesh.Mesh);
-        if (PointMover(mesh.Mesh, mesh.Segments).Collapse(point, neighbor))
+        if (CollapsePoint(mesh, point, neighbor))
         {
           EXPECT_FALSE(mesh.Mesh.HasVertex(point));
           ExpectFlippableMeshLaws(mesh.Mesh, before);

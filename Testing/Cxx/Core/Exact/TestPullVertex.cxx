@@ -68,7 +68,6 @@ TEST(PullVertex, ConnectsAndKeepsTheMeshLawfulWithItsConstraints)
   {
     MeshWithFacets mesh = RandomMeshWithFacets(seed, 30, 8);
     std::mt19937 random(seed);
-    VertexPuller puller(mesh.Mesh, mesh.Segments);
     for (int k = 0; k < 20; ++k)
     {
       const Id apex = static_cast<Id>(random() % 30);
@@ -78,7 +77,7 @@ TEST(PullVertex, ConnectsAndKeepsTheMeshLawfulWithItsConstraints)
         continue;
       }
       const MeshRecord before(mesh.Mesh);
-      if (!puller.Pull(apex, { other }))
+      if (!PullVertex(mesh, apex, { other }))
       {
         ExpectUnchanged(mesh.Mesh, before);
         continue;
@@ -103,8 +102,8 @@ TEST(PullVertex, ConnectsACornerOfAPolygonWithAllOthersAtOnce)
 {
   const int sides = 12;
   const TriangleSoup soup = Prism(sides, 0);
-  FlippableMesh mesh = DelaunayMesh(soup.Points);
-  const SegmentTable segments(std::vector<Triangle>{});
+  MeshWithFacets state(DelaunayMesh(soup.Points), {});
+  const FlippableMesh& mesh = state.Mesh;
   std::vector<Id> others;
   for (Id vertex = 1; vertex < sides; ++vertex)
   {
@@ -114,7 +113,7 @@ TEST(PullVertex, ConnectsACornerOfAPolygonWithAllOthersAtOnce)
     }
   }
   ASSERT_FALSE(others.empty());
-  ASSERT_TRUE(VertexPuller(mesh, segments).Pull(0, others));
+  ASSERT_TRUE(PullVertex(state, 0, others));
   ExpectFlippableMeshLaws(mesh);
   for (Id vertex = 1; vertex < sides; ++vertex)
   {

@@ -19,12 +19,8 @@ namespace
 struct Recovery
 {
   Recovery(FlippableMesh mesh, std::vector<Triangle> facets)
-    : Wanted(std::move(facets))
-    , Mesh(std::move(mesh), {})
-    , Segments(Wanted)
-    , Steiner(Mesh.Mesh, Segments, Progress)
-    , Edges(Mesh.Mesh, Segments, Progress)
-    , Facets(Mesh.Mesh, Segments, Wanted, Progress)
+    : Wanted(facets)
+    , Mesh(std::move(mesh), std::move(facets), AnyMonitor())
   {
   }
 
@@ -38,11 +34,11 @@ struct Recovery
   /** Recover the edges of all facets. */
   void RecoverEdges()
   {
-    std::vector<Id> segments(static_cast<std::size_t>(this->Segments.Size()));
+    std::vector<Id> segments(static_cast<std::size_t>(this->Mesh.Segments.Size()));
     std::iota(segments.begin(), segments.end(), 0);
-    EXPECT_TRUE(this->Edges
-                  .RecoverBySplits(this->Edges.RecoverByFlips(this->Edges.FindMissing(segments)),
-                    SegmentRecovery::From::LowerEnd, this->Steiner)
+    const std::vector<Id> missing = FindMissingSegments(this->Mesh, segments);
+    EXPECT_TRUE(RecoverSegmentsBySplits(
+      this->Mesh, RecoverSegmentsByFlips(this->Mesh, missing), SplitFrom::LowerEnd)
                   .empty());
   }
 
@@ -70,19 +66,14 @@ struct Recovery
       EXPECT_TRUE(!isExact || CoverTheSame(record.Places, faces[facet], { this->Wanted[facet] }))
         << facet;
     }
-    EXPECT_EQ(ConstraintViolations(this->Mesh.Mesh, this->Segments, this->Wanted),
+    EXPECT_EQ(ConstraintViolations(this->Mesh.Mesh, this->Mesh.Segments, this->Wanted),
       std::vector<std::string>());
   }
 
   bool IsFree(Id vertex) const { return this->Mesh.Mesh.Vertices().IsDouble(vertex); }
 
   std::vector<Triangle> Wanted;
-  Monitor Progress;
-  MeshWithFacets Mesh;
-  SegmentTable Segments;
-  SteinerPoints Steiner;
-  SegmentRecovery Edges;
-  FacetRecovery Facets;
+  ExactState Mesh; ///< no facet is marked
 };
 
 /** Three cells around the edge 3 4, which pierces the triangle 0 1 2. */
@@ -98,7 +89,7 @@ TEST(RecoverFacets, MarksThoseThatAreFacesAndReturnsTheOthers)
 {
   Recovery recovery(
     ThreeCells(), { { { 0, 1, 2 } }, { { 3, 4, 0 } }, { { 1, 0, 4 } }, { { 2, 3, 1 } } });
-  EXPECT_EQ(recovery.Facets.MarkWholeFacets({ 3, 0, 1 }), (std::vector<Id>{ 0 }));
+  EXPECT_EQ(MarkWholeFacets(recovery.Mesh, { 3, 0, 1 }), (std::vector<Id>{ 0 }));
   const std::map<Id, std::set<Triangle>> expected = { { 1, { { { 0, 3, 4 } } } },
     { 3, { { { 1, 2, 3 } } } } };
   EXPECT_EQ(FacesOfFacets(MeshRecord(recovery.Mesh.Mesh)), expected);
@@ -113,8 +104,8 @@ TEST(RecoverFacets, AFaceBesideAPointOfTheFacetsEdgeIsNotTheFacet)
       { { { 0, 0, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } }, { { 0, 0, 8 } }, { { 1, 0.5, 0.5 } } },
       { { { 0, 1, 2, 4 } }, { { 0, 1, 3, 4 } }, { { 0, 2, 3, 4 } }, { { 1, 2, 3, 4 } } }),
     { { { 0, 1, 2 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } } });
-  recovery.Segments.Split(recovery.Segments.OfFacet(0, 0), 0, 1, 4);
-  EXPECT_EQ(recovery.Facets.MarkWholeFacets(recovery.All()), (std::vector<Id>{ 0, 1 }));
+  recovery.Mesh.Segments.Split(recovery.Mesh.Segments.OfFacet(0, 0), 0, 1, 4);
+  EXPECT_EQ(MarkWholeFacets(recovery.Mesh, recovery.All()), (std::vector<Id>{ 0, 1 }));
   recovery.ExpectThere({ 0, 1 });
 }
 
@@ -122,7 +113,7 @@ TEST(RecoverFacets, FlipsTheEdgeAwayThatPiercesAFacet)
 {
   Recovery recovery(ThreeCells(), { { { 0, 1, 2 } } });
   const Rational volume = SixfoldVolume(MeshRecord(recovery.Mesh.Mesh));
-  EXPECT_TRUE(recovery.Facets.RecoverByFlips({ 0 }).empty());
+  EXPECT_TRUE(RecoverFacetsByFlips(recovery.Mesh, { 0 }).empty());
   EXPECT_EQ(MeshRecord(recovery.Mesh.Mesh).FiniteCells(),
     (std::set<Tetrahedron>{ { { 0, 1, 2, 3 } }, { { 0, 1, 2, 4 } } }));
   EXPECT_EQ(SixfoldVolume(MeshRecord(recovery.Mesh.Mesh)), volume);
@@ -134,16 +125,16 @@ TEST(RecoverFacets, APiercingEdgeThatIsAConstraintIsCutInTwo)
 {
   // No flip may take the edge 3 4 away, and a point on the facet splits it.
   Recovery recovery(ThreeCells(), { { { 0, 1, 2 } }, { { 3, 4, 0 } } });
-  ASSERT_EQ(recovery.Facets.MarkWholeFacets({ 0, 1 }), (std::vector<Id>{ 0 }));
+  ASSERT_EQ(MarkWholeFacets(recovery.Mesh, { 0, 1 }), (std::vector<Id>{ 0 }));
   const MeshRecord before(recovery.Mesh.Mesh);
-  EXPECT_EQ(recovery.Facets.RecoverByFlips({ 0 }), (std::vector<Id>{ 0 }));
+  EXPECT_EQ(RecoverFacetsByFlips(recovery.Mesh, { 0 }), (std::vector<Id>{ 0 }));
   ExpectUnchanged(recovery.Mesh.Mesh, before);
 }
 
 TEST(RecoverFacets, APiercingEdgeIsSplitOnTheFacet)
 {
   Recovery recovery(ThreeCells(), { { { 0, 1, 2 } } });
-  EXPECT_TRUE(recovery.Facets.RecoverBySplits({ 0 }, recovery.Steiner).empty());
+  EXPECT_TRUE(RecoverFacetsBySplits(recovery.Mesh, { 0 }).empty());
   EXPECT_EQ(recovery.Mesh.Mesh.Vertices().Size(), 7) << "a point should have come";
   recovery.ExpectThere({});
   EXPECT_FALSE(recovery.Mesh.Mesh.HasVertex(6)) << "and gone again";
@@ -157,8 +148,8 @@ TEST(RecoverFacets, AFacetOfWhichAnEdgeIsMissingIsReturned)
                       Pyramids({ { { 0, 1, 2 } } }, { 3, 4 })),
     { { { 3, 4, 0 } } });
   const MeshRecord before(recovery.Mesh.Mesh);
-  EXPECT_EQ(recovery.Facets.RecoverByFlips({ 0 }), (std::vector<Id>{ 0 }));
-  EXPECT_EQ(recovery.Facets.RecoverBySplits({ 0 }, recovery.Steiner), (std::vector<Id>{ 0 }));
+  EXPECT_EQ(RecoverFacetsByFlips(recovery.Mesh, { 0 }), (std::vector<Id>{ 0 }));
+  EXPECT_EQ(RecoverFacetsBySplits(recovery.Mesh, { 0 }), (std::vector<Id>{ 0 }));
   // By then the edge 1 2, which passes through its plane beside it, may have been split.
   recovery.ExpectThere({ 0 });
   ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
@@ -172,10 +163,10 @@ TEST(RecoverFacets, FindsAFacetInPiecesAroundThePointsThatLieOnIt)
     { { 5, 5, 2 } }, { { 5, 5, -2 } } };
   Recovery recovery(DelaunayMesh(points), { { { 0, 1, 2 } } });
   recovery.RecoverEdges();
-  std::vector<Id> missing = recovery.Facets.MarkWholeFacets({ 0 });
+  std::vector<Id> missing = MarkWholeFacets(recovery.Mesh, { 0 });
   EXPECT_EQ(missing, (std::vector<Id>{ 0 })) << "it has points within";
-  missing = recovery.Facets.RecoverByFlips(missing);
-  EXPECT_TRUE(recovery.Facets.RecoverBySplits(missing, recovery.Steiner).empty());
+  missing = RecoverFacetsByFlips(recovery.Mesh, missing);
+  EXPECT_TRUE(RecoverFacetsBySplits(recovery.Mesh, missing).empty());
   recovery.ExpectThere({});
   EXPECT_GE(FacesOfFacets(MeshRecord(recovery.Mesh.Mesh))[0].size(), 7u);
   ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
@@ -189,9 +180,9 @@ TEST(RecoverFacets, RecoversSchoenhardtsPolyhedron)
     Recovery recovery(DelaunayMesh(prism.Points), prism.Triangles);
     const Rational volume = SixfoldVolume(MeshRecord(recovery.Mesh.Mesh));
     recovery.RecoverEdges();
-    std::vector<Id> missing = recovery.Facets.MarkWholeFacets(recovery.All());
-    missing = recovery.Facets.RecoverByFlips(missing);
-    EXPECT_TRUE(recovery.Facets.RecoverBySplits(missing, recovery.Steiner).empty());
+    std::vector<Id> missing = MarkWholeFacets(recovery.Mesh, recovery.All());
+    missing = RecoverFacetsByFlips(recovery.Mesh, missing);
+    EXPECT_TRUE(RecoverFacetsBySplits(recovery.Mesh, missing).empty());
     recovery.ExpectThere({});
     EXPECT_EQ(SixfoldVolume(MeshRecord(recovery.Mesh.Mesh)), volume);
     ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
@@ -209,14 +200,14 @@ TEST(RecoverFacets, RecoversAllFacetsThatDoNotMeet)
     Recovery recovery(DelaunayMesh(points), FacetsThatDoNotMeet(points, random, 60));
     recovery.RecoverEdges();
     const MeshRecord before(recovery.Mesh.Mesh);
-    const std::vector<Id> others = recovery.Facets.MarkWholeFacets(recovery.All());
+    const std::vector<Id> others = MarkWholeFacets(recovery.Mesh, recovery.All());
     recovery.ExpectThere(others);
     missing += others.size();
-    const std::vector<Id> rest = recovery.Facets.RecoverByFlips(others);
+    const std::vector<Id> rest = RecoverFacetsByFlips(recovery.Mesh, others);
     recovery.ExpectThere(rest);
     ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
     left += rest.size();
-    EXPECT_TRUE(recovery.Facets.RecoverBySplits(rest, recovery.Steiner).empty()) << "seed " << seed;
+    EXPECT_TRUE(RecoverFacetsBySplits(recovery.Mesh, rest).empty()) << "seed " << seed;
     recovery.ExpectThere({});
     ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
     EXPECT_EQ(SixfoldVolume(before), SixfoldVolume(MeshRecord(recovery.Mesh.Mesh)));
@@ -231,13 +222,9 @@ TEST(RecoverFacets, StopsWhereTheMonitorWantsTo)
   {
     bool Continue(const char*, double) override { return false; }
   };
-  MeshWithFacets mesh(ThreeCells(), {});
-  const std::vector<Triangle> facets = { { { 0, 1, 2 } } };
-  SegmentTable segments(facets);
   Stop stop;
-  FacetRecovery recovery(mesh.Mesh, segments, facets, stop);
-  SteinerPoints steiner(mesh.Mesh, segments, stop);
-  EXPECT_THROW(recovery.RecoverByFlips({ 0 }), Error);
-  EXPECT_THROW(recovery.RecoverBySplits({ 0 }, steiner), Error);
+  ExactState mesh(ThreeCells(), { { { 0, 1, 2 } } }, stop);
+  EXPECT_THROW(RecoverFacetsByFlips(mesh, { 0 }), Error);
+  EXPECT_THROW(RecoverFacetsBySplits(mesh, { 0 }), Error);
   ExpectFlippableMeshLaws(mesh.Mesh);
 }

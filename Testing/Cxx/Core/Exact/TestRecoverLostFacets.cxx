@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverLostFacets.h"
 
+#include "Exact/RecoverFacets.h"
 #include "Support/FlippableMeshLaws.h"
 #include "Support/TestMeshes.h"
 #include "Support/TetrahedralizationFamilies.h"
@@ -11,19 +12,18 @@
 
 using namespace insideout;
 
-TEST(LostFacetRecovery, RecoversFacetsThatNobodyTriedBefore)
+TEST(RecoverLostFacets, RecoversFacetsThatNobodyTriedBefore)
 {
   for (const TriangleSoup& soup :
     { testmeshes::TwistedPrism(3, -M_PI / 6), testmeshes::Chazelle(2) })
   {
     WorkBudget work;
     Monitor monitor;
-    std::mt19937 random;
-    ConstrainedMesh mesh(soup.Points, soup.Triangles, work, monitor);
-    ASSERT_FALSE(mesh.FindLost(monitor).empty());
+    ExactState mesh(soup.Points, soup.Triangles, work, monitor);
+    ASSERT_FALSE(FindLostFacets(mesh).empty());
     const testflips::MeshRecord before(mesh.Mesh);
-    LostFacetRecovery(mesh, random, monitor).Recover(soup.Points, SegmentRecovery::From::LowerEnd);
-    EXPECT_TRUE(mesh.FindLost(monitor).empty());
+    RecoverLostFacets(mesh, soup.Points, SplitFrom::LowerEnd);
+    EXPECT_TRUE(FindLostFacets(mesh).empty());
     testflips::ExpectFlippableMeshLaws(mesh.Mesh);
     EXPECT_EQ(
       testflips::SixfoldVolume(testflips::MeshRecord(mesh.Mesh)), testflips::SixfoldVolume(before));
@@ -32,16 +32,15 @@ TEST(LostFacetRecovery, RecoversFacetsThatNobodyTriedBefore)
   }
 }
 
-TEST(LostFacetRecovery, LeavesTheMeshLawfulWhereFacetsCross)
+TEST(RecoverLostFacets, LeavesTheMeshLawfulWhereFacetsCross)
 {
   const TriangleSoup soup = testmeshes::RandomSoup(3, 12);
   WorkBudget work(100000000);
   Monitor monitor;
-  std::mt19937 random;
-  ConstrainedMesh mesh(soup.Points, soup.Triangles, work, monitor);
-  const std::size_t before = mesh.FindLost(monitor).size();
-  LostFacetRecovery(mesh, random, monitor).Recover(soup.Points, SegmentRecovery::From::LowerEnd);
-  EXPECT_LE(mesh.FindLost(monitor).size(), before);
-  EXPECT_GT(mesh.FindLost(monitor).size(), 0u);
+  ExactState mesh(soup.Points, soup.Triangles, work, monitor);
+  const std::size_t before = FindLostFacets(mesh).size();
+  RecoverLostFacets(mesh, soup.Points, SplitFrom::LowerEnd);
+  EXPECT_LE(FindLostFacets(mesh).size(), before);
+  EXPECT_GT(FindLostFacets(mesh).size(), 0u);
   testflips::ExpectFlippableMeshLaws(mesh.Mesh);
 }

@@ -14,15 +14,13 @@ using namespace testflips;
 
 namespace
 {
-using From = SegmentRecovery::From;
+using From = SplitFrom;
 
 /** A mesh, segments that it may lack, and what recovers them. */
 struct Recovery
 {
   Recovery(const std::vector<Point>& points, const std::vector<Triangle>& facets)
     : Mesh(DelaunayMesh(points), facets)
-    , Steiner(Mesh.Mesh, Mesh.Segments, Progress)
-    , Segments(Mesh.Mesh, Mesh.Segments, Progress)
   {
   }
 
@@ -33,7 +31,7 @@ struct Recovery
     {
       all.push_back(segment);
     }
-    return this->Segments.FindMissing(all);
+    return FindMissingSegments(this->Mesh, all);
   }
 
   /** Expect that the mesh has every segment but some, split into edges on it. */
@@ -65,10 +63,7 @@ struct Recovery
     }
   }
 
-  Monitor Progress;
   MeshWithFacets Mesh;
-  SteinerPoints Steiner;
-  SegmentRecovery Segments;
 };
 
 } // namespace
@@ -113,7 +108,7 @@ TEST(RecoverSegments, FlipsTheFaceAwayThatASegmentPassesThrough)
     { { { 3, 4, 0 } } });
   ASSERT_EQ(recovery.Missing(), (std::vector<Id>{ 0 }));
   const MeshRecord before(recovery.Mesh.Mesh);
-  EXPECT_TRUE(recovery.Segments.RecoverByFlips({ 0 }).empty());
+  EXPECT_TRUE(RecoverSegmentsByFlips(recovery.Mesh, { 0 }).empty());
   EXPECT_EQ(MeshRecord(recovery.Mesh.Mesh).FiniteCells(),
     (std::set<Tetrahedron>{ { { 0, 1, 3, 4 } }, { { 1, 2, 3, 4 } }, { { 0, 2, 3, 4 } } }));
   ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
@@ -130,11 +125,11 @@ TEST(RecoverSegments, NoFlipsHaveAllEdgesOfSchoenhardtsPolyhedronAndASteinerPoin
     {
       Recovery recovery(prism.Points, prism.Triangles);
       const MeshRecord before(recovery.Mesh.Mesh);
-      const std::vector<Id> missing = recovery.Segments.RecoverByFlips(recovery.Missing());
+      const std::vector<Id> missing = RecoverSegmentsByFlips(recovery.Mesh, recovery.Missing());
       ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
       EXPECT_EQ(missing.empty(), turn > 0) << turn;
       recovery.ExpectThere(missing);
-      EXPECT_TRUE(recovery.Segments.RecoverBySplits(missing, from, recovery.Steiner).empty());
+      EXPECT_TRUE(RecoverSegmentsBySplits(recovery.Mesh, missing, from).empty());
       ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
       recovery.ExpectThere({});
       bool hasSteinerPoint = false;
@@ -158,10 +153,10 @@ TEST(RecoverSegments, ASegmentThroughAVertexIsGivenUpAndLetGo)
   }
   Recovery recovery(points, { { { 0, 1, 3 } } });
   const Id segment = recovery.Mesh.Segments.Find(0, 1);
-  ASSERT_EQ(recovery.Segments.FindMissing({ segment }), (std::vector<Id>{ segment }));
+  ASSERT_EQ(FindMissingSegments(recovery.Mesh, { segment }), (std::vector<Id>{ segment }));
   const MeshRecord before(recovery.Mesh.Mesh);
-  EXPECT_EQ(recovery.Segments.RecoverByFlips({ segment }), (std::vector<Id>{ segment }));
-  EXPECT_EQ(recovery.Segments.RecoverBySplits({ segment }, From::LowerEnd, recovery.Steiner),
+  EXPECT_EQ(RecoverSegmentsByFlips(recovery.Mesh, { segment }), (std::vector<Id>{ segment }));
+  EXPECT_EQ(RecoverSegmentsBySplits(recovery.Mesh, { segment }, From::LowerEnd),
     (std::vector<Id>{ segment }));
   EXPECT_EQ(recovery.Mesh.Segments.Find(0, 1), None);
   ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
@@ -179,7 +174,7 @@ TEST(RecoverSegments, FlipsGetNearlyAllAndSplitsTheRest)
     const MeshRecord before(recovery.Mesh.Mesh);
     const std::vector<Id> wanted = recovery.Missing();
     missing += wanted.size();
-    const std::vector<Id> rest = recovery.Segments.RecoverByFlips(wanted);
+    const std::vector<Id> rest = RecoverSegmentsByFlips(recovery.Mesh, wanted);
     left += rest.size();
     ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
     recovery.ExpectThere(rest);
@@ -191,8 +186,7 @@ TEST(RecoverSegments, FlipsGetNearlyAllAndSplitsTheRest)
         return sorted;
       }());
     EXPECT_TRUE(
-      recovery.Segments
-        .RecoverBySplits(rest, seed % 4 < 2 ? From::LowerEnd : From::HigherEnd, recovery.Steiner)
+      RecoverSegmentsBySplits(recovery.Mesh, rest, seed % 4 < 2 ? From::LowerEnd : From::HigherEnd)
         .empty())
       << "seed " << seed;
     ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
@@ -212,8 +206,7 @@ TEST(RecoverSegments, SplitsAloneRecoverAllFromEitherEnd)
       const std::vector<Point> points = AnyPoints(seed, 14);
       Recovery recovery(points, FacetsThatDoNotMeet(points, random, 40));
       const MeshRecord before(recovery.Mesh.Mesh);
-      EXPECT_TRUE(
-        recovery.Segments.RecoverBySplits(recovery.Missing(), from, recovery.Steiner).empty())
+      EXPECT_TRUE(RecoverSegmentsBySplits(recovery.Mesh, recovery.Missing(), from).empty())
         << "seed " << seed;
       recovery.ExpectThere({});
       ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
@@ -222,10 +215,10 @@ TEST(RecoverSegments, SplitsAloneRecoverAllFromEitherEnd)
 }
 
 /**
- * A known fault: no vertex is on the segment 3 8, and yet it is given up. Edges that flips in a
- * plane remove from it are restored by flips that replace another edge (FlatFlipper::MakeEdge,
- * StarEdge), until the limit of splits ends this cycle. Once that is fixed, expect none to be
- * returned here.
+ * A known fault: no vertex is on the segment 3 8, and yet it is given up, for edges that flips in a
+ * plane take away from it are brought back by the ones that are put in another's place
+ * (MakeEdge, StarEdge), and so on until the number of splits ends it. When that is
+ * mended, expect none to be returned here.
  */
 TEST(RecoverSegments, KnownFaultGivesASegmentUpAcrossWhichFlatFlipsGoInCircles)
 {
@@ -240,13 +233,13 @@ TEST(RecoverSegments, KnownFaultGivesASegmentUpAcrossWhichFlatFlipsGoInCircles)
   {
     EXPECT_FALSE(testmeshes::LiesWithinByClipping(points, facets[0], vertex));
   }
-  EXPECT_EQ(recovery.Segments.RecoverBySplits(recovery.Missing(), From::LowerEnd, recovery.Steiner),
+  EXPECT_EQ(RecoverSegmentsBySplits(recovery.Mesh, recovery.Missing(), From::LowerEnd),
     (std::vector<Id>{ segment }));
   ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
   recovery.ExpectThere({ segment });
   // The flips that the engine tries first need none of these.
   Recovery other(points, facets);
-  EXPECT_TRUE(other.Segments.RecoverByFlips(other.Missing()).empty());
+  EXPECT_TRUE(RecoverSegmentsByFlips(other.Mesh, other.Missing()).empty());
 }
 
 TEST(RecoverSegments, StopsWhereTheMonitorWantsTo)
@@ -256,13 +249,12 @@ TEST(RecoverSegments, StopsWhereTheMonitorWantsTo)
     bool Continue(const char*, double) override { return false; }
   };
   const TriangleSoup prism = testmeshes::TwistedPrism(3, -0.3);
-  MeshWithFacets mesh(DelaunayMesh(prism.Points), prism.Triangles);
   Stop stop;
-  SegmentRecovery recovery(mesh.Mesh, mesh.Segments, stop);
-  SteinerPoints steiner(mesh.Mesh, mesh.Segments, stop);
-  const std::vector<Id> missing = recovery.FindMissing({ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 });
+  MeshWithFacets mesh(DelaunayMesh(prism.Points), prism.Triangles, stop);
+  const std::vector<Id> missing =
+    FindMissingSegments(mesh, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 });
   ASSERT_FALSE(missing.empty());
-  EXPECT_THROW(recovery.RecoverByFlips(missing), Error);
-  EXPECT_THROW(recovery.RecoverBySplits(missing, From::LowerEnd, steiner), Error);
+  EXPECT_THROW(RecoverSegmentsByFlips(mesh, missing), Error);
+  EXPECT_THROW(RecoverSegmentsBySplits(mesh, missing, From::LowerEnd), Error);
   ExpectFlippableMeshLaws(mesh.Mesh);
 }

@@ -182,9 +182,8 @@ TEST(RoundPoints, GivesExactPointsPlacesInDoublesBesideWhatTheyLieOn)
     const MeshRecord before(mesh.Mesh);
     const std::size_t count = Unrounded(mesh.Mesh).size();
     EXPECT_GT(count, 2u);
-    Monitor monitor;
-    const std::vector<Id> left = PointRounder(mesh.Mesh, mesh.Segments, monitor).Round();
-    // If there are several on one face of the hull, one may obstruct another.
+    const std::vector<Id> left = RoundInOrder(mesh);
+    // Of several on one face of the hull, one may be in the way of another.
     for (const Id point : left)
     {
       EXPECT_TRUE(IsOnHull(mesh.Mesh, point)) << "seed " << seed;
@@ -203,10 +202,8 @@ TEST(RoundPoints, RoundsSomehowToPlacesThatHold)
     MeshWithFacets mesh = WithExactPoints(seed);
     const MeshRecord before(mesh.Mesh);
     const std::size_t count = Unrounded(mesh.Mesh).size();
-    std::mt19937 random(seed);
-    Monitor monitor;
-    const std::vector<Id> left =
-      PointRounder(mesh.Mesh, mesh.Segments, monitor).RoundSomehow(random);
+    mesh.Random.seed(seed);
+    const std::vector<Id> left = RoundAtRandom(mesh);
     ExpectRounded(mesh, before, left);
     rounded += count - left.size();
   }
@@ -222,8 +219,7 @@ TEST(RoundPoints, PutsAPointOfASegmentWhereADoubleIsExactlyOnIt)
   const MeshRecord before(mesh.Mesh);
   const Id point = mesh.SplitEdge(1, 2);
   ASSERT_FALSE(mesh.Mesh.Vertices().IsDouble(point)) << "it is at three sevenths";
-  Monitor monitor;
-  EXPECT_TRUE(PointRounder(mesh.Mesh, mesh.Segments, monitor).Round().empty());
+  EXPECT_TRUE(RoundInOrder(mesh).empty());
   EXPECT_EQ(mesh.Mesh.Vertices().Nearest(point), (Point{ { 4, 4, 0 } }));
   ExpectFlippableMeshLaws(mesh.Mesh, before, FacetsKept::AsAreas);
 }
@@ -236,12 +232,9 @@ TEST(RoundPoints, APointThatHasNoPlaceIsReturnedAndLeftAsItIs)
   ASSERT_EQ(Unrounded(mesh.Mesh), (std::vector<Id>{ point }));
   ASSERT_EQ(FacesOfFacets(MeshRecord(mesh.Mesh)).size(), 7u);
   const MeshRecord before(mesh.Mesh);
-  std::mt19937 random(1);
-  Monitor monitor;
-  PointRounder rounder(mesh.Mesh, mesh.Segments, monitor);
-  EXPECT_EQ(rounder.Round(), (std::vector<Id>{ point }));
-  EXPECT_EQ(rounder.RoundSomehow(random), (std::vector<Id>{ point }));
-  rounder.SplitBeside({ point }, random);
+  EXPECT_EQ(RoundInOrder(mesh), (std::vector<Id>{ point }));
+  EXPECT_EQ(RoundAtRandom(mesh), (std::vector<Id>{ point }));
+  SplitBeside(mesh, { point });
   ExpectUnchanged(mesh.Mesh, before);
 }
 
@@ -254,9 +247,8 @@ TEST(RoundPoints, SplitsSegmentsBesidePointsAndKeepsFacetsBetweenThem)
     const std::vector<Id> points = Unrounded(mesh.Mesh);
     const std::map<Id, std::set<Triangle>> facets = FacesOfFacets(MeshRecord(mesh.Mesh));
     const Id first = mesh.Mesh.Vertices().Size();
-    std::mt19937 random(seed);
-    Monitor monitor;
-    PointRounder(mesh.Mesh, mesh.Segments, monitor).SplitBeside(points, random);
+    mesh.Random.seed(seed);
+    SplitBeside(mesh, points);
     ExpectFlippableMeshLaws(mesh.Mesh);
     ExpectNearSurface(mesh);
     EXPECT_EQ(
@@ -286,9 +278,8 @@ TEST(RoundPoints, StirsOnlySteinerPointsAroundOthers)
     }
     const MeshRecord before(mesh.Mesh);
     const std::vector<Id> points = Unrounded(mesh.Mesh);
-    std::mt19937 random(seed);
-    Monitor monitor;
-    PointRounder(mesh.Mesh, mesh.Segments, monitor).Stir({ points[0] }, random);
+    mesh.Random.seed(seed);
+    Stir(mesh, { points[0] });
     const MeshRecord after(mesh.Mesh);
     ExpectFlippableMeshLaws(mesh.Mesh);
     ExpectNearSurface(mesh);

@@ -50,17 +50,15 @@ std::vector<Id> SteinerPointsOf(const FlippableMesh& mesh)
 }
 
 /** Cut all facets into a mesh. */
-void RecoverAll(MeshWithFacets& mesh, SteinerPoints& steiner, Monitor& monitor)
+void RecoverAll(MeshWithFacets& mesh)
 {
   std::vector<Id> segments(static_cast<std::size_t>(mesh.Segments.Size()));
   std::iota(segments.begin(), segments.end(), 0);
   std::vector<Id> facets(mesh.Facets.size());
   std::iota(facets.begin(), facets.end(), 0);
-  SegmentRecovery edges(mesh.Mesh, mesh.Segments, monitor);
-  FacetRecovery faces(mesh.Mesh, mesh.Segments, mesh.Facets, monitor);
-  const std::vector<Id> left = edges.RecoverByFlips(edges.FindMissing(segments));
-  EXPECT_TRUE(edges.RecoverBySplits(left, SegmentRecovery::From::LowerEnd, steiner).empty());
-  EXPECT_TRUE(faces.RecoverBySplits(faces.MarkWholeFacets(facets), steiner).empty());
+  const std::vector<Id> left = RecoverSegmentsByFlips(mesh, FindMissingSegments(mesh, segments));
+  EXPECT_TRUE(RecoverSegmentsBySplits(mesh, left, SplitFrom::LowerEnd).empty());
+  EXPECT_TRUE(RecoverFacetsBySplits(mesh, MarkWholeFacets(mesh, facets)).empty());
 }
 
 void ExpectKept(const MeshWithFacets& mesh, const MeshRecord& before)
@@ -78,8 +76,7 @@ TEST(SteinerPoints, TidyingTakesAllOutOfTheVolumeThatNothingNeeds)
     MeshWithFacets mesh = WithSteinerPoints(seed, false);
     const MeshRecord before(mesh.Mesh);
     EXPECT_GT(SteinerPointsOf(mesh.Mesh).size(), 1u);
-    Monitor monitor;
-    SteinerPoints(mesh.Mesh, mesh.Segments, monitor).Tidy(mesh.Mesh.Infinite() + 1);
+    Tidy(mesh, mesh.Mesh.Infinite() + 1);
     EXPECT_EQ(SteinerPointsOf(mesh.Mesh), std::vector<Id>()) << "seed " << seed;
     ExpectKept(mesh, before);
   }
@@ -94,8 +91,7 @@ TEST(SteinerPoints, TidyingTakesPointsOffTheSurfaceAndKeepsIt)
     MeshWithFacets mesh = WithSteinerPoints(seed, true);
     const MeshRecord record(mesh.Mesh);
     before += SteinerPointsOf(mesh.Mesh).size();
-    Monitor monitor;
-    SteinerPoints(mesh.Mesh, mesh.Segments, monitor).Tidy(mesh.Mesh.Infinite() + 1);
+    Tidy(mesh, mesh.Mesh.Infinite() + 1);
     after += SteinerPointsOf(mesh.Mesh).size();
     ExpectKept(mesh, record);
     for (Id segment = 0; segment < mesh.Segments.Size(); ++segment)
@@ -118,8 +114,7 @@ TEST(SteinerPoints, TidyingLeavesThoseAloneThatWereThereBefore)
     const Id first = mesh.Mesh.Vertices().Size();
     const std::vector<Id> cells = FiniteCells(mesh.Mesh);
     const Id fresh = mesh.SplitCell(cells[seed]);
-    Monitor monitor;
-    SteinerPoints(mesh.Mesh, mesh.Segments, monitor).Tidy(first);
+    Tidy(mesh, first);
     EXPECT_EQ(SteinerPointsOf(mesh.Mesh), old);
     EXPECT_TRUE(fresh == None || !mesh.Mesh.HasVertex(fresh));
     ExpectFlippableMeshLaws(mesh.Mesh);
@@ -136,14 +131,12 @@ TEST(SteinerPoints, TidyingLeavesThoseAloneAroundWhichNothingHasChanged)
     const std::vector<Id> points = SteinerPointsOf(mesh.Mesh);
     const MeshRecord before(mesh.Mesh);
     const std::int64_t since = mesh.Mesh.NumberOfChanges();
-    Monitor monitor;
-    SteinerPoints steiner(mesh.Mesh, mesh.Segments, monitor);
-    steiner.Tidy(first, since);
+    Tidy(mesh, first, since);
     ExpectUnchanged(mesh.Mesh, before);
     if (!points.empty())
     {
       mesh.Mesh.Touch(points[0]);
-      steiner.Tidy(first, since);
+      Tidy(mesh, first, since);
       touched += mesh.Mesh.HasVertex(points[0]) ? 0 : 1;
       ExpectKept(mesh, before);
     }
@@ -158,12 +151,10 @@ TEST(SteinerPoints, FlippingAroundAVertexChangesItsCellsAndNoConstraint)
   {
     MeshWithFacets mesh = WithSteinerPoints(seed, true);
     const MeshRecord before(mesh.Mesh);
-    std::mt19937 random(seed);
-    Monitor monitor;
-    SteinerPoints steiner(mesh.Mesh, mesh.Segments, monitor);
+    mesh.Random.seed(seed);
     for (const Id vertex : { 0, 3, 5 })
     {
-      steiner.FlipAround(vertex, random);
+      FlipAround(mesh, vertex);
     }
     ExpectFlippableMeshLaws(mesh.Mesh, before, FacetsKept::AsFaces);
     changed += MeshRecord(mesh.Mesh).FiniteCells() != before.FiniteCells() ? 1 : 0;
@@ -180,14 +171,12 @@ TEST(SteinerPoints, ShakingGetsRidOfMoreAndKeepsTheSurface)
     std::mt19937 random(seed);
     const std::vector<Point> points = AnyPoints(seed, 20);
     MeshWithFacets mesh(DelaunayMesh(points), FacetsThatDoNotMeet(points, random, 80));
-    Monitor monitor;
-    SteinerPoints steiner(mesh.Mesh, mesh.Segments, monitor);
-    RecoverAll(mesh, steiner, monitor);
+    RecoverAll(mesh);
     const MeshRecord before(mesh.Mesh);
     tidied += SteinerPointsOf(mesh.Mesh).size();
     for (int k = 0; k < 4; ++k)
     {
-      steiner.Shake(SteinerPointsOf(mesh.Mesh), random);
+      Shake(mesh, SteinerPointsOf(mesh.Mesh));
       ExpectKept(mesh, before);
     }
     shaken += SteinerPointsOf(mesh.Mesh).size();
@@ -201,7 +190,6 @@ TEST(SteinerPoints, OnceItsWorkIsDoneTidyingChangesNothing)
   MeshWithFacets mesh = WithSteinerPoints(2, true, none);
   const MeshRecord before(mesh.Mesh);
   ASSERT_TRUE(none.IsUsedUp());
-  Monitor monitor;
-  SteinerPoints(mesh.Mesh, mesh.Segments, monitor).Tidy(mesh.Mesh.Infinite() + 1);
+  Tidy(mesh, mesh.Mesh.Infinite() + 1);
   ExpectUnchanged(mesh.Mesh, before);
 }

@@ -2,7 +2,7 @@
 #include "Support/FlippableMeshes.h"
 
 #include "Common/SortedTriangle.h"
-#include "Exact/EdgeRemoval.h"
+#include "Exact/Flips.h"
 #include "Support/ExactReference.h"
 #include "Support/FlippableMeshLaws.h"
 
@@ -17,6 +17,12 @@ WorkBudget& AnyWork()
 {
   static WorkBudget work;
   return work;
+}
+
+Monitor& AnyMonitor()
+{
+  static Monitor monitor;
+  return monitor;
 }
 
 FlippableMesh DelaunayMesh(const std::vector<Point>& points, WorkBudget& work)
@@ -123,10 +129,8 @@ std::vector<Point> AnyPoints(unsigned seed, int count)
   return seed % 2 == 1 ? GridPoints(random, count, 4) : RandomPoints(random, count);
 }
 
-MeshWithFacets::MeshWithFacets(FlippableMesh mesh, std::vector<Triangle> facets)
-  : Mesh(std::move(mesh))
-  , Facets(std::move(facets))
-  , Segments(this->Facets)
+MeshWithFacets::MeshWithFacets(FlippableMesh mesh, std::vector<Triangle> facets, Monitor& monitor)
+  : ExactState(std::move(mesh), std::move(facets), monitor)
 {
   const std::vector<MeshFace> faces = this->Mesh.FindFaces(this->Facets);
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -233,9 +237,7 @@ Id MeshWithFacets::SplitCell(Id cell)
 
 void MeshWithFacets::FlipAtRandom(std::mt19937& random, int tries)
 {
-  FlipOperator flips(this->Mesh, this->Segments);
   const FlipTarget nothing(this->Mesh);
-  const FlipOperator::Limits limits = { 0, 10 };
   for (int k = 0; k < tries; ++k)
   {
     const std::vector<Id> cells = FiniteCells(this->Mesh);
@@ -244,12 +246,12 @@ void MeshWithFacets::FlipAtRandom(std::mt19937& random, int tries)
     const int j = static_cast<int>(i + 1 + random() % 3) % 4;
     if (random() % 2 == 0)
     {
-      flips.RemoveFace(cell, i, nothing, limits);
+      RemoveFace(*this, cell, i, nothing, AnyFlip);
     }
     else
     {
       const Tetrahedron corners = CellAt(this->Mesh, cell).Corners;
-      flips.RemoveEdge(corners[i], corners[j], cell, nothing, limits);
+      RemoveEdge(*this, corners[i], corners[j], cell, nothing, AnyFlip);
     }
   }
 }

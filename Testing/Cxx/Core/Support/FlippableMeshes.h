@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Exact/FlippableMesh.h"
-#include "Exact/SegmentTable.h"
-
-#include <random>
+#include "Exact/ExactState.h"
 
 /** Meshes for the operators that change them. */
 namespace testflips
@@ -13,6 +10,9 @@ using namespace insideout;
 
 /** A budget that is never used up. */
 WorkBudget& AnyWork();
+
+/** A monitor that stops nothing. */
+Monitor& AnyMonitor();
 
 /** The Delaunay tetrahedralization. */
 FlippableMesh DelaunayMesh(const std::vector<Point>& points, WorkBudget& work = AnyWork());
@@ -38,10 +38,10 @@ std::vector<Point> RandomPoints(std::mt19937& random, int count);
 std::vector<Point> AnyPoints(unsigned seed, int count);
 
 /** A mesh with facets among its faces. */
-struct MeshWithFacets
+struct MeshWithFacets : ExactState
 {
   /** Mark those of the facets that are faces. */
-  MeshWithFacets(FlippableMesh mesh, std::vector<Triangle> facets);
+  MeshWithFacets(FlippableMesh mesh, std::vector<Triangle> facets, Monitor& monitor = AnyMonitor());
 
   /** How near a new point is to its neighbors. In sevenths there are few doubles. */
   struct Weights
@@ -62,10 +62,6 @@ struct MeshWithFacets
 
   /** Flip faces and edges that are no constraints at random. */
   void FlipAtRandom(std::mt19937& random, int tries);
-
-  FlippableMesh Mesh;
-  std::vector<Triangle> Facets;
-  SegmentTable Segments;
 };
 
 /** The Delaunay mesh of any points, with every n-th face a facet. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Exact/EdgeRemoval.h"
+#include "Exact/Flips.h"
 
 #include "Support/FlippableMeshLaws.h"
 #include "Support/FlippableMeshes.h"
@@ -14,7 +14,7 @@ using namespace testflips;
 
 namespace
 {
-constexpr FlipOperator::Limits Freely = { std::numeric_limits<int>::max() / 8, 12 };
+constexpr FlipLimits Freely = { std::numeric_limits<int>::max() / 8, 12 };
 
 const std::vector<Point> BipyramidPoints = { { { 0, 0, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } },
   { { 2, 2, 9 } }, { { 3, 3, -9 } } };
@@ -58,17 +58,16 @@ MeshWithFacets Pyramid(std::vector<Triangle> facets = {})
 }
 
 bool RemoveFace(MeshWithFacets& mesh, const Triangle& triangle, const FlipTarget& target,
-  const FlipOperator::Limits& limits = Freely)
+  const FlipLimits& limits = Freely)
 {
   const MeshFace face = mesh.Mesh.FindFaces({ triangle })[0];
-  return FlipOperator(mesh.Mesh, mesh.Segments).RemoveFace(face.Cell, face.Face, target, limits);
+  return RemoveFace(mesh, face.Cell, face.Face, target, limits);
 }
 
-bool RemoveEdge(MeshWithFacets& mesh, Id u, Id v, const FlipTarget& target,
-  const FlipOperator::Limits& limits = Freely)
+bool RemoveEdge(
+  MeshWithFacets& mesh, Id u, Id v, const FlipTarget& target, const FlipLimits& limits = Freely)
 {
-  return FlipOperator(mesh.Mesh, mesh.Segments)
-    .RemoveEdge(u, v, mesh.Mesh.FindEdge(u, v), target, limits);
+  return RemoveEdge(mesh, u, v, mesh.Mesh.FindEdge(u, v), target, limits);
 }
 
 /** Expect that a flip is refused and nothing changed. */
@@ -185,7 +184,7 @@ std::optional<int> LeastIncrease(
 
 // --- Faces ---------------------------------------------------------------------------------------
 
-TEST(EdgeRemoval, AFaceOfTwoCellsBecomesAnEdgeOfThree)
+TEST(Flips, AFaceOfTwoCellsBecomesAnEdgeOfThree)
 {
   MeshWithFacets mesh = TwoCells({ { { 0, 1, 3 } }, { { 1, 2, 4 } } });
   const MeshRecord before(mesh.Mesh);
@@ -195,7 +194,7 @@ TEST(EdgeRemoval, AFaceOfTwoCellsBecomesAnEdgeOfThree)
   ExpectFlippableMeshLaws(mesh.Mesh, before);
 }
 
-TEST(EdgeRemoval, AFaceStaysThatIsAFacetOrOnTheHull)
+TEST(Flips, AFaceStaysThatIsAFacetOrOnTheHull)
 {
   ExpectRefused(TwoCells({ { { 0, 1, 2 } } }),
     [](MeshWithFacets& mesh) {
@@ -208,7 +207,7 @@ TEST(EdgeRemoval, AFaceStaysThatIsAFacetOrOnTheHull)
   }
 }
 
-TEST(EdgeRemoval, AFaceStaysWhereTheNewEdgeWouldPassThroughItsEdgeOrOutside)
+TEST(Flips, AFaceStaysWhereTheNewEdgeWouldPassThroughItsEdgeOrOutside)
 {
   // Two cells of the octahedron on the face 0 4 5, whose apexes 1 and 3 see each other along 4 5;
   // and two of the pyramid, where they see each other in the base.
@@ -226,12 +225,12 @@ TEST(EdgeRemoval, AFaceStaysWhereTheNewEdgeWouldPassThroughItsEdgeOrOutside)
     });
 }
 
-TEST(EdgeRemoval, AFaceGoesForASegmentThatItBarsAndStaysWhereTheNewEdgeBarsMore)
+TEST(Flips, AFaceGoesForASegmentThatItBarsAndStaysWhereTheNewEdgeBarsMore)
 {
   MeshWithFacets mesh = TwoCells();
-  EXPECT_TRUE(RemoveFace(
-    mesh, { { 0, 1, 2 } }, FlipTarget::Segment(mesh.Mesh, 3, 4), FlipOperator::Limits{ -1, 3 }));
-  const FlipOperator::Limits less = { -1, 3 };
+  EXPECT_TRUE(
+    RemoveFace(mesh, { { 0, 1, 2 } }, FlipTarget::Segment(mesh.Mesh, 3, 4), FlipLimits{ -1, 3 }));
+  const FlipLimits less = { -1, 3 };
   ExpectRefused(TwoCells(),
     [&less](MeshWithFacets& other) {
       return RemoveFace(other, { { 0, 1, 2 } }, FlipTarget(other.Mesh), less);
@@ -241,14 +240,14 @@ TEST(EdgeRemoval, AFaceGoesForASegmentThatItBarsAndStaysWhereTheNewEdgeBarsMore)
   {
     MeshWithFacets other = TwoCells();
     EXPECT_EQ(RemoveFace(other, { { 0, 1, 2 } }, FlipTarget::Facet(other.Mesh, { { 0, 1, 2 } }),
-                FlipOperator::Limits{ increase, 3 }),
+                FlipLimits{ increase, 3 }),
       increase == 3);
   }
 }
 
 // --- Edges ---------------------------------------------------------------------------------------
 
-TEST(EdgeRemoval, AnEdgeOfThreeCellsBecomesAFaceOfTwo)
+TEST(Flips, AnEdgeOfThreeCellsBecomesAFaceOfTwo)
 {
   MeshWithFacets mesh = ThreeCells({ { { 0, 1, 3 } }, { { 1, 2, 4 } } });
   const MeshRecord before(mesh.Mesh);
@@ -258,7 +257,7 @@ TEST(EdgeRemoval, AnEdgeOfThreeCellsBecomesAFaceOfTwo)
   ExpectFlippableMeshLaws(mesh.Mesh, before);
 }
 
-TEST(EdgeRemoval, AnEdgeOfFourCellsBecomesTheDiagonalThatIsAskedFor)
+TEST(Flips, AnEdgeOfFourCellsBecomesTheDiagonalThatIsAskedFor)
 {
   for (const Id from : { 0, 1 })
   {
@@ -273,7 +272,7 @@ TEST(EdgeRemoval, AnEdgeOfFourCellsBecomesTheDiagonalThatIsAskedFor)
   }
 }
 
-TEST(EdgeRemoval, AnEdgeOfTheHullGoesWhereTheHullIsFlat)
+TEST(Flips, AnEdgeOfTheHullGoesWhereTheHullIsFlat)
 {
   MeshWithFacets mesh = Pyramid({ { { 0, 1, 4 } } });
   const MeshRecord before(mesh.Mesh);
@@ -290,7 +289,7 @@ TEST(EdgeRemoval, AnEdgeOfTheHullGoesWhereTheHullIsFlat)
   }
 }
 
-TEST(EdgeRemoval, AnEdgeStaysThatASegmentOrAFacetHas)
+TEST(Flips, AnEdgeStaysThatASegmentOrAFacetHas)
 {
   for (const Triangle& facet : { Triangle{ { 3, 4, 0 } }, Triangle{ { 2, 4, 3 } } })
   {
@@ -311,7 +310,7 @@ TEST(EdgeRemoval, AnEdgeStaysThatASegmentOrAFacetHas)
     [](MeshWithFacets& other) { return RemoveEdge(other, 3, 4, FlipTarget(other.Mesh)); });
 }
 
-TEST(EdgeRemoval, AnEdgeStaysThatHasTooManyCellsOrThatEndsAtInfinity)
+TEST(Flips, AnEdgeStaysThatHasTooManyCellsOrThatEndsAtInfinity)
 {
   ExpectRefused(FourCells(),
     [](MeshWithFacets& mesh) {
@@ -322,7 +321,7 @@ TEST(EdgeRemoval, AnEdgeStaysThatHasTooManyCellsOrThatEndsAtInfinity)
     { return RemoveEdge(mesh, 0, mesh.Mesh.Infinite(), FlipTarget(mesh.Mesh)); });
 }
 
-TEST(EdgeRemoval, AnEdgeThatIsTheOnlyWayToAVertexStays)
+TEST(Flips, AnEdgeThatIsTheOnlyWayToAVertexStays)
 {
   // A cell cut into four by a vertex within.
   const auto cells = []()
@@ -340,13 +339,13 @@ TEST(EdgeRemoval, AnEdgeThatIsTheOnlyWayToAVertexStays)
     ExpectRefused(cells(),
       [&](MeshWithFacets& mesh)
       {
-        return FlipOperator(mesh.Mesh, mesh.Segments)
-          .RemoveEdgeDeeply(4, corner, FlipTarget(mesh.Mesh), Freely, 3, budget);
+        return RemoveEdgeDeeply(
+          mesh, 4, corner, FlipTarget(mesh.Mesh), { Freely, 3, budget }, budget);
       });
   }
 }
 
-TEST(EdgeRemoval, OfAllWaysTakesOneThatLeavesLeastInTheWay)
+TEST(Flips, OfAllWaysTakesOneThatLeavesLeastInTheWay)
 {
   int removed = 0;
   int tooDear = 0;
@@ -403,7 +402,7 @@ TEST(EdgeRemoval, OfAllWaysTakesOneThatLeavesLeastInTheWay)
 
 // --- Both, at random -----------------------------------------------------------------------------
 
-TEST(EdgeRemoval, KeepsFacetsAndSegmentsWhateverIsTried)
+TEST(Flips, KeepsFacetsAndSegmentsWhateverIsTried)
 {
   int faces = 0;
   int edges = 0;
@@ -411,7 +410,6 @@ TEST(EdgeRemoval, KeepsFacetsAndSegmentsWhateverIsTried)
   {
     MeshWithFacets mesh = RandomMeshWithFacets(seed, 16, 6);
     const FlipTarget nothing(mesh.Mesh);
-    FlipOperator flips(mesh.Mesh, mesh.Segments);
     std::mt19937 random(seed);
     for (int k = 0; k < 16; ++k)
     {
@@ -424,8 +422,8 @@ TEST(EdgeRemoval, KeepsFacetsAndSegmentsWhateverIsTried)
       const int i = static_cast<int>(random() % 4);
       const Tetrahedron t = CellAt(mesh.Mesh, cell).Corners;
       const bool isFace = k % 2 == 0;
-      const bool isDone = isFace ? flips.RemoveFace(cell, i, nothing, Freely)
-                                 : flips.RemoveEdge(t[i], t[(i + 1) % 4], cell, nothing, Freely);
+      const bool isDone = isFace ? RemoveFace(mesh, cell, i, nothing, Freely)
+                                 : RemoveEdge(mesh, t[i], t[(i + 1) % 4], cell, nothing, Freely);
       if (!isDone)
       {
         ExpectUnchanged(mesh.Mesh, before);
@@ -441,7 +439,7 @@ TEST(EdgeRemoval, KeepsFacetsAndSegmentsWhateverIsTried)
   EXPECT_GT(edges, 5);
 }
 
-TEST(EdgeRemoval, RemovesDeeplyWhatIsToBeRemovedAndSaysSo)
+TEST(Flips, RemovesDeeplyWhatIsToBeRemovedAndSaysSo)
 {
   int atOnce = 0;
   int deeply = 0;
@@ -451,16 +449,15 @@ TEST(EdgeRemoval, RemovesDeeplyWhatIsToBeRemovedAndSaysSo)
     MeshWithFacets mesh = RandomMeshWithFacets(seed, 18, 20);
     std::mt19937 random(seed);
     const FlipTarget nothing(mesh.Mesh);
-    const FlipOperator::Limits limits = { 0, 12 };
     for (int k = 0; k < 6; ++k)
     {
       const std::vector<Id> cells = FiniteCells(mesh.Mesh);
       const Tetrahedron t = CellAt(mesh.Mesh, cells[random() % cells.size()]).Corners;
       const MeshRecord before(mesh.Mesh);
       const std::int64_t changes = mesh.Mesh.NumberOfChanges();
-      FlipOperator flips(mesh.Mesh, mesh.Segments);
       int budget = 60;
-      const bool isRemoved = flips.RemoveEdgeDeeply(t[0], t[1], nothing, limits, 2, budget);
+      const bool isRemoved =
+        RemoveEdgeDeeply(mesh, t[0], t[1], nothing, { { 0, 12 }, 2, budget }, budget);
       EXPECT_EQ(isRemoved, mesh.Mesh.FindEdge(t[0], t[1]) == None);
       EXPECT_LE(budget, 60);
       ExpectFlippableMeshLaws(mesh.Mesh, before);
@@ -473,7 +470,7 @@ TEST(EdgeRemoval, RemovesDeeplyWhatIsToBeRemovedAndSaysSo)
   EXPECT_GT(never, 10);
 }
 
-TEST(EdgeRemoval, WithoutABudgetOrDepthRemovesNothingElse)
+TEST(Flips, WithoutABudgetOrDepthRemovesNothingElse)
 {
   for (unsigned seed = 1; seed <= 10; ++seed)
   {
@@ -490,9 +487,8 @@ TEST(EdgeRemoval, WithoutABudgetOrDepthRemovesNothingElse)
         const Tetrahedron t = CellAt(mesh.Mesh, cell).Corners;
         const std::int64_t changes = mesh.Mesh.NumberOfChanges();
         int budget = hasDepth ? 0 : 60;
-        const bool isRemoved =
-          FlipOperator(mesh.Mesh, mesh.Segments)
-            .RemoveEdgeDeeply(t[0], t[1], nothing, { 0, 12 }, hasDepth ? 2 : 0, budget);
+        const bool isRemoved = RemoveEdgeDeeply(
+          mesh, t[0], t[1], nothing, { { 0, 12 }, hasDepth ? 2 : 0, budget }, budget);
         EXPECT_EQ(mesh.Mesh.NumberOfChanges() - changes, isRemoved ? 1 : 0);
       }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Exact/PointSupport.h"
+#include "Exact/ExactState.h"
 
 #include "Support/FlippableMeshLaws.h"
 #include "Support/FlippableMeshes.h"
@@ -67,7 +67,7 @@ Id SegmentAround(const SegmentTable& segments, Id point)
 }
 } // namespace
 
-TEST(PointSupport, NamesTheFacetsOfEachPointAndTheSegmentThatItIsWithin)
+TEST(ExactState, SupportOfNamesTheFacetsOfEachPointAndTheSegmentThatItIsWithin)
 {
   int onSegments = 0;
   int onFacets = 0;
@@ -81,7 +81,7 @@ TEST(PointSupport, NamesTheFacetsOfEachPointAndTheSegmentThatItIsWithin)
       {
         continue;
       }
-      const PointSupport support = FindPointSupport(mesh.Mesh, mesh.Segments, vertex);
+      const PointSupport support = mesh.SupportOf(vertex);
       EXPECT_EQ(support.Facets, FacetsAt(mesh.Mesh, vertex));
       EXPECT_EQ(support.Segment, SegmentAround(mesh.Segments, vertex));
       ++(support.Segment != None ? onSegments : support.Facets.empty() ? onNothing : onFacets);
@@ -92,7 +92,7 @@ TEST(PointSupport, NamesTheFacetsOfEachPointAndTheSegmentThatItIsWithin)
   EXPECT_GT(onNothing, 10);
 }
 
-TEST(PointSupport, OfAPointWithinASegmentIsTheSegmentAndAllFacetsAroundIt)
+TEST(ExactState, SupportOfAPointWithinASegmentIsTheSegmentAndAllFacetsAroundIt)
 {
   MeshWithFacets mesh(MeshOfCells({ { { 0, 0, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } },
                                     { { 2, 2, 9 } }, { { 3, 3, -9 } } },
@@ -102,8 +102,7 @@ TEST(PointSupport, OfAPointWithinASegmentIsTheSegmentAndAllFacetsAroundIt)
   const Id onFreeEdge = mesh.SplitEdge(0, 4);
   const Id onFacet = mesh.SplitFace(mesh.Mesh.FindFaces({ { { 1, 2, 4 } } })[0]);
   const Id inVolume = mesh.SplitCell(FiniteCells(mesh.Mesh)[0]);
-  const auto supportOf = [&](Id vertex)
-  { return FindPointSupport(mesh.Mesh, mesh.Segments, vertex); };
+  const auto supportOf = [&](Id vertex) { return mesh.SupportOf(vertex); };
   EXPECT_EQ(supportOf(onSegment).Segment, mesh.Segments.OfFacet(0, 0));
   EXPECT_EQ(supportOf(onSegment).Facets, (std::vector<Id>{ 0, 1 }));
   EXPECT_EQ(supportOf(onFacet).Segment, None);
@@ -115,11 +114,11 @@ TEST(PointSupport, OfAPointWithinASegmentIsTheSegmentAndAllFacetsAroundIt)
   }
 }
 
-TEST(PointSupport, OfAVertexThatIsInNoCellIsNothing)
+TEST(ExactState, SupportOfAVertexThatIsInNoCellIsNothing)
 {
   MeshWithFacets mesh = RandomMeshWithFacets(1, 10, 2);
   const Id vertex = mesh.Mesh.AddVertex({ { 1, 1, 1 } });
-  const PointSupport support = FindPointSupport(mesh.Mesh, mesh.Segments, vertex);
+  const PointSupport support = mesh.SupportOf(vertex);
   EXPECT_EQ(support.Segment, None);
   EXPECT_TRUE(support.Facets.empty());
 }

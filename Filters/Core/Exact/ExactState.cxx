@@ -1,85 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Exact/ConstrainedMesh.h"
+#include "Exact/ExactState.h"
 
-#include "Exact/PointSupport.h"
-#include "Exact/RecoverFacets.h"
+#include "Common/SortUniquely.h"
+
+#include <utility>
 
 namespace insideout
 {
 namespace
 {
-/** The facets between the vertices that stand for points. */
-std::vector<Triangle> Renamed(std::vector<Triangle> facets, const std::vector<Id>& same)
+/** The mesh of points, and the facets between the vertices that stand for these. */
+FlippableMesh DelaunayMeshOf(const std::vector<Point>& points, std::vector<Triangle>& facets,
+  WorkBudget& work, Monitor& monitor)
 {
+  std::vector<Id> same;
+  FlippableMesh mesh(points, same, work, monitor);
   for (Triangle& facet : facets)
   {
-    for (Id& corner : facet)
-    {
-      corner = same[corner];
-    }
+    facet = { { same[facet[0]], same[facet[1]], same[facet[2]] } };
   }
-  return facets;
+  return mesh;
 }
 } // namespace
 
-ConstrainedMesh::ConstrainedMesh(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, WorkBudget& work, Monitor& monitor)
-  : ConstrainedMesh(points, facets, {}, work, monitor)
-{
-}
-
-ConstrainedMesh::ConstrainedMesh(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, std::vector<Id> same, WorkBudget& work, Monitor& monitor)
-  : Mesh(points, same, work, monitor)
-  , Facets(Renamed(facets, same))
+ExactState::ExactState(const std::vector<Point>& points, std::vector<Triangle> facets,
+  WorkBudget& work, Monitor& monitor)
+  : Mesh(DelaunayMeshOf(points, facets, work, monitor))
+  , Facets(std::move(facets))
   , Segments(this->Facets)
+  , Progress(&monitor)
 {
 }
 
-std::vector<bool> ConstrainedMesh::AreThere() const
+ExactState::ExactState(FlippableMesh mesh, std::vector<Triangle> facets, Monitor& monitor)
+  : Mesh(std::move(mesh))
+  , Facets(std::move(facets))
+  , Segments(this->Facets)
+  , Progress(&monitor)
 {
-  std::vector<bool> isThere(this->Facets.size(), false);
+}
+
+std::vector<bool> ExactState::FacetsThatAreThere() const
+{
+  std::vector<bool> areThere(this->Facets.size(), false);
   for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
   {
     for (int k = 0; !this->Mesh.IsDead(cell) && k < 4; ++k)
     {
       if (this->Mesh.Cell(cell).Facets[k] != None)
       {
-        isThere[this->Mesh.Cell(cell).Facets[k]] = true;
+        areThere[this->Mesh.Cell(cell).Facets[k]] = true;
       }
     }
   }
-  return isThere;
+  return areThere;
 }
 
-std::vector<Id> ConstrainedMesh::FindLost(Monitor& monitor)
+std::vector<Id> ExactState::SegmentsOf(const std::vector<Id>& facets) const
 {
-  const std::vector<bool> isThere = this->AreThere();
-  std::vector<Id> lost;
-  for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)
-  {
-    if (!isThere[facet])
-    {
-      lost.push_back(facet);
-    }
-  }
-  return FacetRecovery(this->Mesh, this->Segments, this->Facets, monitor).MarkWholeFacets(lost);
-}
-
-std::vector<Id> ConstrainedMesh::SegmentsOf(const std::vector<Id>& facets) const
-{
-  std::set<Id> segments;
+  std::vector<Id> segments;
   for (const Id facet : facets)
   {
     for (int k = 0; k < 3; ++k)
     {
-      segments.insert(this->Segments.OfFacet(facet, k));
+      segments.push_back(this->Segments.OfFacet(facet, k));
     }
   }
-  return { segments.begin(), segments.end() };
+  SortUniquely(segments);
+  return segments;
 }
 
-std::vector<Id> ConstrainedMesh::SteinerPoints(std::int64_t since) const
+std::vector<Id> ExactState::SteinerPoints(std::int64_t since) const
 {
   std::vector<Id> points;
   for (Id vertex = this->Mesh.Infinite() + 1; vertex < this->Mesh.Vertices().Size(); ++vertex)
@@ -92,13 +83,34 @@ std::vector<Id> ConstrainedMesh::SteinerPoints(std::int64_t since) const
   return points;
 }
 
-std::set<Id> ConstrainedMesh::FacetsAround(const std::vector<Id>& points, int rings) const
+PointSupport ExactState::SupportOf(Id point) const
+{
+  PointSupport support;
+  support.Segment = this->Segments.Around(point);
+  std::vector<Id> star;
+  this->Mesh.Star(point, star);
+  for (const Id id : star)
+  {
+    const FlippableCell& cell = this->Mesh.Cell(id);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (cell.Corners[k] != point && cell.Facets[k] != None)
+      {
+        support.Facets.push_back(cell.Facets[k]);
+      }
+    }
+  }
+  SortUniquely(support.Facets);
+  return support;
+}
+
+std::set<Id> ExactState::FacetsAround(const std::vector<Id>& points, int rings) const
 {
   std::vector<Id> cells;
   std::set<Id> facets;
   for (const Id point : points)
   {
-    const std::vector<Id> own = FindPointSupport(this->Mesh, this->Segments, point).Facets;
+    const std::vector<Id> own = this->SupportOf(point).Facets;
     facets.insert(own.begin(), own.end());
     this->Mesh.Star(point, cells);
   }
@@ -124,7 +136,7 @@ std::set<Id> ConstrainedMesh::FacetsAround(const std::vector<Id>& points, int ri
   return facets;
 }
 
-void ConstrainedMesh::LetGo(const std::set<Id>& facets)
+void ExactState::LetGo(const std::set<Id>& facets)
 {
   for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
   {
@@ -141,10 +153,10 @@ void ConstrainedMesh::LetGo(const std::set<Id>& facets)
     }
   }
   std::vector<bool> isUsed(static_cast<std::size_t>(this->Segments.Size()), false);
-  const std::vector<bool> isThere = this->AreThere();
+  const std::vector<bool> areThere = this->FacetsThatAreThere();
   for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)
   {
-    for (int k = 0; isThere[facet] && k < 3; ++k)
+    for (int k = 0; areThere[facet] && k < 3; ++k)
     {
       isUsed[this->Segments.OfFacet(facet, k)] = true;
     }

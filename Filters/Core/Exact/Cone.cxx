@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/Cone.h"
+
+#include "Common/SortUniquely.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+void Cone::Start(const FlippableMesh& mesh)
+{
+  this->Cells.clear();
+  this->Inside.Start(mesh.NumberOfCells());
+}
+
+void Cone::Add(Id cell)
+{
+  if (!this->Inside.Has(cell))
+  {
+    this->Inside.Add(cell);
+    this->Cells.push_back(cell);
+  }
+}
+
+bool Cone::HasEdge(Id u, Id v) const
+{
+  return std::binary_search(this->WallEdges.begin(), this->WallEdges.end(),
+    std::array<Id, 2>{ { std::min(u, v), std::max(u, v) } });
+}
+
+/** Whether all corners of a cell but the centre, and the segments between them, are on the wall. */
+bool Cone::Keeps(const Tetrahedron& cell, Id centre, const SegmentTable& segments) const
+{
+  for (int k = 0; k < 4; ++k)
+  {
+    const Id u = cell[k];
+    if (u == centre)
+    {
+      continue;
+    }
+    if (!std::binary_search(this->WallCorners.begin(), this->WallCorners.end(), u))
+    {
+      return false;
+    }
+    for (int j = 0; j < k; ++j)
+    {
+      const Id v = cell[j];
+      if (v != centre && !this->HasEdge(u, v) && segments.Find(u, v) != None)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool Cone::Make(
+  const FlippableMesh& mesh, const SegmentTable& segments, Id apex, Id centre, Id gone)
+{
+  this->Fresh.clear();
+  this->WallCorners.clear();
+  this->WallEdges.clear();
+  this->SurfaceFaces.clear();
+  const auto isWall = [&](const FlippableCell& cell, int at, int k)
+  { return (at < 0 || at == k) && !this->Inside.Has(cell.Neighbors[k]); };
+  for (const Id id : this->Cells)
+  {
+    const FlippableCell& cell = mesh.Cell(id);
+    const int atGone = CornerIndexIn(cell.Corners, gone);
+    const int atApex = CornerIndexIn(cell.Corners, apex);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (!isWall(cell, atGone, k))
+      {
+        continue;
+      }
+      if (atApex < 0 || atApex == k)
+      {
+        this->Fresh.push_back(cell.Corners);
+        this->Fresh.back()[k] = apex;
+      }
+      const Triangle face = mesh.FaceCorners(id, k);
+      for (int j = 0; j < 3; ++j)
+      {
+        const Id u = face[j];
+        const Id v = face[(j + 1) % 3];
+        this->WallEdges.push_back({ { std::min(u, v), std::max(u, v) } });
+        this->WallCorners.push_back(u);
+      }
+    }
+  }
+  SortUniquely(this->WallCorners);
+  SortUniquely(this->WallEdges);
+  for (const Id id : this->Cells)
+  {
+    const FlippableCell& cell = mesh.Cell(id);
+    if (!this->Keeps(cell.Corners, centre, segments))
+    {
+      return false;
+    }
+    const int atGone = CornerIndexIn(cell.Corners, gone);
+    const int at = CornerIndexIn(cell.Corners, centre);
+    for (int k = 0; k < 4; ++k)
+    {
+      const bool isHull =
+        !this->Inside.Has(cell.Neighbors[k]) && mesh.IsInfinite(cell.Neighbors[k]);
+      if (isWall(cell, atGone, k) || (cell.Facets[k] == None && !isHull))
+      {
+        continue;
+      }
+      const auto& others = OtherCorners[k][at < 0 ? k : at];
+      const Id a = cell.Corners[others[0]];
+      const Id b = cell.Corners[others[1]];
+      if (at < 0 || at == k || !this->HasEdge(a, b))
+      {
+        return false;
+      }
+      this->SurfaceFaces.push_back({ a, b, cell.Facets[k] });
+    }
+  }
+  return true;
+}
+
+void Cone::MarkSurface(FlippableMesh& mesh, Id centre) const
+{
+  for (const SurfaceFace& face : this->SurfaceFaces)
+  {
+    mesh.MarkFace(centre, face.A, face.B, face.Facet);
+  }
+}
+} // namespace insideout

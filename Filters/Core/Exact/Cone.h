@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Exact/FlippableMesh.h"
+#include "Exact/SegmentTable.h"
+
+#include <array>
+#include <vector>
+
+namespace insideout
+{
+/**
+ * Cells that give way to a cone: new cells that join an apex with the boundary of their union, the
+ * *wall*. What is on the wall stays.
+ */
+struct Cone
+{
+  std::vector<Id> Cells; ///< that give way
+  CellMarks Inside;      ///< these
+  std::vector<Tetrahedron> Fresh;
+
+  /** Begin with no cell. */
+  void Start(const FlippableMesh& mesh);
+
+  /** Add a cell that may be there already. */
+  void Add(Id cell);
+
+  /**
+   * Make the new cells, and look whether every vertex, facet and segment stays.
+   * @param[in] centre the one vertex that need not be on the wall; its facets stay if they can
+   * @param[in] gone whose faces are no walls, those on the hull either; None for none
+   */
+  bool Make(
+    const FlippableMesh& mesh, const SegmentTable& segments, Id apex, Id centre, Id gone = None);
+
+  /** Whether facets or faces of the hull between cells that give way have the centre. */
+  bool HasSurface() const { return !this->SurfaceFaces.empty(); }
+
+  /** Mark the facets at the centre again when the new cells are in their place. */
+  void MarkSurface(FlippableMesh& mesh, Id centre) const;
+
+private:
+  bool HasEdge(Id u, Id v) const;
+  bool Keeps(const Tetrahedron& cell, Id centre, const SegmentTable& segments) const;
+
+  /** A face between cells that give way, with the centre: it stays. */
+  struct SurfaceFace
+  {
+    Id A;
+    Id B;
+    Id Facet;
+  };
+  std::vector<SurfaceFace> SurfaceFaces;
+  std::vector<Id> WallCorners;
+  std::vector<std::array<Id, 2>> WallEdges;
+};
+} // namespace insideout

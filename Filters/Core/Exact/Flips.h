@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/ProgressRange.h"
+#include "Exact/ExactState.h"
+#include "Exact/FlipTarget.h"
+
+#include <functional>
+#include <limits>
+
+namespace insideout
+{
+/** What a flip may cost: it is done if it leaves at most this much more in the way than before. */
+struct FlipLimits
+{
+  int Increase = -1;
+  int LargestRing = 12;
+};
+
+/** Any flip, where nothing is in the way of anything; of larger rings hardly one gains. */
+constexpr FlipLimits AnyFlip = { 0, 10 };
+
+/** How hard flips try to take an edge away. */
+struct FlipEffort
+{
+  FlipLimits Limits;
+  int Depth;  ///< levels of edges that may go before it, to make its ring smaller
+  int Budget; ///< how many of these are tried
+
+  /** The work (WorkBudget) beyond which none is tried any more. */
+  std::int64_t EndOfWork = std::numeric_limits<std::int64_t>::max();
+};
+
+/** Only flips that leave less in the way than before. Few larger rings can be triangulated. */
+constexpr FlipEffort PlainFlips = { { -1, 10 }, 0, 0 };
+
+/**
+ * The flips: take a face or an edge out of a mesh, and choose of all ways to do so one that leaves
+ * least in the way of a target. Constraints that are there stay.
+ *
+ * An edge with n cells around it goes by triangulating the ring of n points, of which every
+ * triangle becomes two cells (Freitag and Ollivier-Gooch 1997); the best triangulation is found by
+ * dynamic programming (Klincsek 1980).
+ */
+
+/** Take the face across from corner `face` away: two cells become three. */
+bool RemoveFace(
+  ExactState& state, Id cell, int face, const FlipTarget& target, const FlipLimits& limits);
+
+/** Take the edge between u and v, of `cell`, away. */
+bool RemoveEdge(
+  ExactState& state, Id u, Id v, Id cell, const FlipTarget& target, const FlipLimits& limits);
+
+/**
+ * The same; if that fails, first make the ring smaller by removing edges between it and u or v,
+ * down to the effort's depth.
+ * @param[in,out] budget how many more edges may be tried
+ */
+bool RemoveEdgeDeeply(
+  ExactState& state, Id u, Id v, const FlipTarget& target, const FlipEffort& effort, int& budget);
+
+/**
+ * Recover constraints by flips that leave less in the way each time, and a few of what is left by
+ * deeper ones. What these leave, cuts recover in less time.
+ * @param[in] missing the constraints, in the order in which they are tried
+ * @param[in] constraints how many there are in all, that the work may be in proportion with
+ * @param[in] recover called with a constraint and an effort; says whether the mesh has it then
+ * @return the ones that are still missing, in the same order
+ */
+std::vector<Id> RecoverInRounds(const ExactState& state, std::vector<Id> missing,
+  std::size_t constraints, const ProgressRange& phase,
+  const std::function<bool(Id, const FlipEffort&)>& recover);
+} // namespace insideout
