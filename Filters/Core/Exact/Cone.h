@@ -11,7 +11,7 @@ namespace insideout
 {
 /**
  * Cells that give way to a cone: new cells that join an apex with the boundary of their union, the
- * *wall*. What is on the wall stays.
+ * *wall*. Vertices, segments and facets on the wall stay.
  */
 struct Cone
 {
