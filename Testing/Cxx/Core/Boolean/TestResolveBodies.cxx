@@ -118,6 +118,47 @@ TEST(ResolveBodies, KnowsWhichBodiesAreClosed)
     (std::vector<char>{ 1, 0, 1 }));
 }
 
+TEST(ResolveBodies, KnowWhichAreClosedAtAnyNumberOfEdges)
+{
+  // Tetrahedra by turns of bodies 0, 1 and 2; of body 3 facets there and back, all at one edge.
+  ResolvedBodies bodies;
+  bodies.Bodies.resize(4);
+  const auto add = [&](const Triangle& corners, Id body)
+  {
+    bodies.Surface.Facets.push_back(corners);
+    bodies.BodyCounts.push_back({ body, 1 });
+    bodies.CountOffsets.push_back(static_cast<Id>(bodies.BodyCounts.size()));
+  };
+  for (Id i = 0; i < 6000; ++i)
+  {
+    const Id a = 4 * i + 2;
+    for (const Triangle& t : { Triangle{ a, a + 2, a + 1 }, Triangle{ a, a + 1, a + 3 },
+           Triangle{ a + 1, a + 2, a + 3 }, Triangle{ a, a + 3, a + 2 } })
+    {
+      add(t, i % 3);
+    }
+    add({ 0, 1, a }, 3);
+    add({ 1, 0, a }, 3);
+    add({ 0, 1, a + 1 }, 3);
+    add({ 1, 0, a + 1 }, 3);
+  }
+  const std::vector<FacetEdge> edges = SortedFacetEdges(bodies.Surface.Facets);
+  const WholeTeams teams;
+  for (const int threads : { 1, 3 })
+  {
+    const testthreads::Allowed allowed(threads);
+    EXPECT_EQ(FindClosedBodies(bodies, edges), (std::vector<char>{ 1, 1, 1, 1 }));
+    for (std::size_t f = 0; f < bodies.BodyCounts.size(); f += 4799)
+    {
+      std::vector<char> expected(4, 1);
+      expected[bodies.BodyCounts[f].Body] = 0;
+      bodies.BodyCounts[f].Count = 2;
+      EXPECT_EQ(FindClosedBodies(bodies, edges), expected) << f;
+      bodies.BodyCounts[f].Count = 1;
+    }
+  }
+}
+
 TEST(ResolveBodies, OfOneSurfaceAreThoseOfSeveral)
 {
   const std::vector<TriangleSoup> soups = { Cube(0, 2), Cube(1, 3), Cube(2, 4) };
