@@ -1,11 +1,12 @@
 #!/bin/sh
-# SPDX-License-Identifier: GPL-3.0-or-later run.sh [SURFACE...]: build in Release and measure every
-# stage that has a target, on real models that Debian packages and on the surfaces given. Prints
-# seconds for people and, for machines, one line `ratio NAME VALUE at most|at least LIMIT` per
-# target. Builds in build-benchmark/, and draws the thesis's figures 8.10 and 8.11 in
-# build-benchmark/figures. The reference for winding numbers needs libembree-dev, drawing
-# python3-matplotlib; the references for tetrahedra, in build-benchmark/quality.csv, need tetgen,
-# gmsh, python3-netgen and python3-meshio.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# run.sh [SURFACE...]: build in Release and measure every stage that has a target, on real models
+# that Debian packages and on the surfaces given. Prints seconds for people and, for machines, one
+# line `ratio NAME VALUE at most|at least LIMIT` per target. Builds in build-benchmark/, and draws
+# the thesis's figures 8.10 and 8.11 in build-benchmark/figures. The reference for winding numbers
+# needs libembree-dev, drawing python3-matplotlib; the references for tetrahedra, in
+# build-benchmark/quality.csv, need tetgen, gmsh, python3-netgen and python3-meshio; the solvers that
+# judge them calculix-ccx, python3-gmsh and python3-scipy.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
@@ -68,6 +69,7 @@ if cmake -S "$root" -B "$filters" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     /usr/bin/python3 "$here/measure-voxels.py" "$vtk" "$@" "$open_surfaces"/* &&
     /usr/bin/python3 "$here/measure-total.py" "$bin/BenchmarkConstrainedDelaunay" "$@" &&
     /usr/bin/python3 "$here/measure-ranks.py" &&
+    /usr/bin/python3 "$here/measure-fit.py" "$figures/surfaces"/* &&
     /usr/bin/python3 "$here/measure-quality.py" --table "$build/quality.csv" "$@")
 else
   echo "missing: the filters cannot be built ($build/filters.log); rerun is not measured"

@@ -3,13 +3,16 @@
 """Judges with CalculiX whether solids are fit for a solver, and whether InsideOut says so.
 
     judge-fit.py SURFACE_OR_FOLDER... [--diagonal D] [--no-refine] [--quadratic-cells] [--surface-treatment T] [--most-bytes N]
+                 [--analyses N]
 
 Makes an .inp file of each surface, and of those in each folder, in millimeters, as which they are taken or with --diagonal made so
 large, and in meters: times 0.001. CalculiX gets
 it with all nodes fixed, so that it makes the matrix of each element and has nothing to solve: it names those whose Jacobian
 determinant is not positive. Prints each file with such elements, or with another number of them than `insideout check` counts;
-those that were skipped, which have no inside or cannot be read; and the sums. Exit status 0 if no element is refused and all
-counts agree; with --no-refine, if all counts agree.
+those that were skipped, which have no inside or cannot be read; and the sums. Gmsh gets each as a .msh file: it is to find nothing
+wrong with it, and positive Jacobian determinants. The first N solids of --analyses that have less than 50,000 cells stand on their
+lowest fifth as steel: CalculiX is to end *STATIC under their weight, which the supports bear to 1e-3, and *FREQUENCY with positive
+frequencies. Exit status 0 if no element is refused, all counts agree and nothing else is wrong; with --no-refine, if all counts agree.
 """
 
 from __future__ import annotations
@@ -25,8 +28,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Iterator
 
+import gmsh
 import insideout
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 ENDINGS = (".obj", ".off", ".ply", ".stl", ".vtp")
 UNITS = {"mm": 1.0, "m": 0.001}
@@ -45,6 +51,33 @@ Nall, 1, 3
 """
 
 
+ANALYSES = """\
+*INCLUDE, INPUT=solid.inp
+*NSET, NSET=support
+{support}
+*MATERIAL, NAME=steel
+*ELASTIC
+{modulus}, 0.3
+*DENSITY
+{density}
+*SOLID SECTION, ELSET=Eall, MATERIAL=steel
+*BOUNDARY
+support, 1, 3
+*STEP
+*STATIC
+*DLOAD
+Eall, GRAV, {gravity}, 0, 0, -1
+*NODE PRINT, NSET=support, TOTALS=ONLY
+RF
+*END STEP
+*STEP
+*FREQUENCY
+3
+*END STEP
+"""
+MOST_CELLS = 50_000  # of a solid that is analysed
+
+
 @dataclass
 class Case:
     name: str
@@ -54,6 +87,7 @@ class Case:
     told: int  # as refused
     poor: int
     flat: int  # exactly
+    wrong: list[str]  # what gmsh and the analyses say
 
 
 def surfaces_in(paths: list[Path], most: int) -> Iterator[Path]:
@@ -72,7 +106,68 @@ def refused_by_calculix(folder: Path) -> int:
     return len(refused)
 
 
-def judged(path: Path, unit: str, options: argparse.Namespace) -> Case | str:
+def wrong_by_gmsh(msh: Path) -> list[str]:
+    """What gmsh says of a mesh, its warnings too."""
+    done = subprocess.run(["gmsh", str(msh), "-check"], capture_output=True, text=True, check=False)
+    said = [f"gmsh: {line}" for line in (done.stdout + done.stderr).splitlines() if line.startswith(("Warning", "Error"))]
+    said += [f"gmsh ends with status {done.returncode}"] if done.returncode else []
+    gmsh.initialize()
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.open(str(msh))
+        (kind,) = gmsh.model.mesh.getElementTypes(3)
+        places, weights = gmsh.model.mesh.getIntegrationPoints(kind, "Gauss2")
+        determinants = gmsh.model.mesh.getJacobians(kind, places)[1].reshape(-1, len(weights))
+        refused = int((determinants <= 0).any(axis=1).sum())
+    finally:
+        gmsh.finalize()
+    return said + ([f"gmsh finds {refused} cells whose Jacobian determinant is not positive"] if refused else [])
+
+
+def supports(solid: insideout.Tetrahedra) -> np.ndarray:
+    """The lowest fifth of the points of each part that has cells: parts that touch in a point or an edge alone can turn about it."""
+    cells, z = solid.cells[:, :4], solid.points[:, 2]
+    faces = np.sort(cells[:, [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]]].reshape(-1, 3), axis=1)
+    _, numbers = np.unique(faces, axis=0, return_inverse=True)
+    order = np.argsort(numbers.ravel(), kind="stable")
+    same = np.flatnonzero(np.diff(numbers.ravel()[order]) == 0)
+    pairs = order[same] // 4, order[same + 1] // 4
+    count, part = connected_components(coo_matrix((np.ones(len(same)), pairs), shape=(len(cells), len(cells))), directed=False)
+    held = []
+    for k in range(count):
+        points = np.unique(solid.cells[part == k])
+        low, high = z[points].min(), z[points].max()
+        held.append(points[z[points] <= low + (high - low) / 5])
+    return np.unique(np.concatenate(held))
+
+
+def wrong_in_analyses(folder: Path, solid: insideout.Tetrahedra) -> list[str]:
+    """What is wrong with a static analysis under the weight, and with frequencies, in millimeters."""
+    held = supports(solid)
+    is_free = np.ones(len(solid.points), bool)
+    is_free[held] = False
+    corners = solid.points[solid.cells[:, :4]]
+    volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
+    shares = np.full(4, 1 / 4) if solid.cells.shape[1] == 4 else np.repeat([-1 / 20, 1 / 5], [4, 6])  # of a cell's weight at its nodes
+    density, gravity, modulus = 7.85e-9, 9810, 2.1e5  # tonnes, millimeters and seconds
+    text = ",\n".join(str(point + 1) for point in held.tolist())
+    (folder / "analyses.inp").write_text(ANALYSES.format(support=text, modulus=modulus, density=density, gravity=gravity), encoding="ascii")
+    done = subprocess.run(["ccx", "analyses"], cwd=folder, capture_output=True, text=True, check=False)
+    if "Job finished" not in done.stdout or "*ERROR" in done.stdout:
+        return [f"CalculiX ends its analyses with status {done.returncode}: {done.stdout.strip().splitlines()[-1:]}"]
+    found = (folder / "analyses.dat").read_text(encoding="ascii")
+    forces = next((line.split() for line in found.splitlines() if len(line.split()) == 3 and "." in line and "total" not in line), [])
+    weight = density * gravity * float(volumes @ (is_free[solid.cells] @ shares))  # at supports themselves none is told
+    said = []
+    if len(forces) != 3 or abs(float(forces[2]) - weight) > 1e-3 * weight:
+        said.append(f"the supports bear {forces}, and the weight is {weight:g}")
+    rows = re.findall(r"^\s+[123]\s+(\S+)\s+(\S+)\s+(\S+)\s+\S+$", found, re.MULTILINE)
+    if len(rows) != 3 or not all(float(row[2]) > 0 for row in rows):
+        said.append(f"the frequencies are {[row[2] for row in rows]}")
+    return said
+
+
+def judged(path: Path, unit: str, options: argparse.Namespace, analyse: bool) -> Case | str:
     """A case, or why there is none."""
     with TemporaryDirectory() as folder, warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -80,14 +175,17 @@ def judged(path: Path, unit: str, options: argparse.Namespace) -> Case | str:
         chosen = {"refine": False} if options.no_refine else {"quadratic_cells": options.quadratic_cells, "surface_treatment": options.surface_treatment}
         try:
             size = options.diagonal / np.linalg.norm(np.ptp(insideout.read(str(path)).points, axis=0)) if options.diagonal else 1
-            insideout.tetrahedralize(str(path), scale=size * UNITS[unit], output=str(solid), **chosen)
+            made = insideout.tetrahedralize(str(path), scale=size * UNITS[unit], output=str(solid), **chosen)
         except insideout.Error as error:
             return str(error)
         if not solid.exists():
             return "nothing is inside"
         found = insideout.check_solid(str(solid)).statistics
         counts = (int(found[name]) for name in ("RefusedCells", "PoorCells", "FlatCells"))
-        return Case(path.name, unit, int(found["Cells"]), refused_by_calculix(Path(folder)), *counts)
+        insideout.write(made, Path(folder, "solid.msh"))
+        wrong = wrong_by_gmsh(Path(folder, "solid.msh"))
+        wrong += wrong_in_analyses(Path(folder), made.solid) if analyse and found["Cells"] < MOST_CELLS else []
+        return Case(path.name, unit, int(found["Cells"]), refused_by_calculix(Path(folder)), *counts, wrong)
 
 
 def main() -> int:
@@ -97,6 +195,7 @@ def main() -> int:
     parser.add_argument("--no-refine", action="store_true", help="solids as they come")
     parser.add_argument("--quadratic-cells", action="store_true")
     parser.add_argument("--surface-treatment", default="kept")
+    parser.add_argument("--analyses", type=int, default=0, metavar="N", help="the number of solids to be analysed in millimeters")
     parser.add_argument("--most-bytes", type=int, default=sys.maxsize, help="pass over larger surfaces")
     options = parser.parse_args()
     if shutil.which("ccx") is None:
@@ -105,13 +204,16 @@ def main() -> int:
     cases: list[Case] = []
     for path in surfaces_in(options.surfaces, options.most_bytes):
         for unit in UNITS:
-            case = judged(path, unit, options)
+            analyse = unit == "mm" and sum(one.unit == unit and one.cells < MOST_CELLS for one in cases) < options.analyses
+            case = judged(path, unit, options, analyse)
             if isinstance(case, str):
                 print(f"skipped {path.name}: {case}", flush=True)
                 break
             cases.append(case)
             agrees = case.refused == case.told
-            is_good = is_good and agrees and (case.refused == 0 or options.no_refine)
+            is_good = is_good and agrees and ((case.refused == 0 and not case.wrong) or options.no_refine)
+            for words in case.wrong:
+                print(f"{case.name} in {unit}: {words}", flush=True)
             if case.refused > 0 or not agrees:
                 told = "" if agrees else f", and InsideOut counts {case.told}"
                 print(f"{case.name} in {unit}: CalculiX refuses {case.refused} of {case.cells} cells{told}; {case.flat} are flat exactly", flush=True)
@@ -122,6 +224,7 @@ def main() -> int:
         some = sum(case.refused > 0 for case in those)
         refused, all_cells, poor = (sum(getattr(case, name) for case in those) for name in ("refused", "cells", "poor"))
         print(f"{unit}: {len(those)} solids, {all_cells} cells; {refused} refused, in {some} solids; {poor} more are poor")
+        print(f"{unit}: gmsh and the analyses find something wrong with {sum(bool(case.wrong) for case in those)} solids")
     return 0 if is_good else 1
 
 

@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Solids that a solver takes: refined where the file is for one, else told of; and the same solid as before."""
 
+import importlib.util
 import itertools
 import json
 import os
 import re
 import subprocess
+import sys
 import unittest
+import unittest.mock
 import warnings
 from collections import Counter
+from pathlib import Path
 
 import insideout
 import numpy as np
@@ -249,6 +253,36 @@ class Unfit(CommandLine):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotIn("a solver", done.stdout)
         self.assertGreater(read_grid(self.output).GetNumberOfCells(), 0)
+
+
+class Judge(CommandLine):
+    """Testing/Judge/judge-fit.py, with CalculiX and gmsh."""
+
+    PROGRAM = Path(__file__).resolve().parent.parent / "Judge" / "judge-fit.py"
+
+    def test_it_finds_a_sound_solid_sound_in_all_analyses(self):
+        box = self.file("box.ply", surfaces.box())
+        for more in ((), ("--quadratic-cells",)):
+            done = subprocess.run(
+                [sys.executable, self.PROGRAM, box, "--diagonal", "100", "--analyses", "1", *more], capture_output=True, text=True, check=False
+            )
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertIn("mm: gmsh and the analyses find something wrong with 0 solids", done.stdout)
+
+    def test_it_tells_of_what_is_wrong(self):
+        spec = importlib.util.spec_from_file_location("judge_fit", self.PROGRAM)
+        judge = importlib.util.module_from_spec(spec)
+        with unittest.mock.patch.dict(sys.modules, {"judge_fit": judge}):  # its dataclass looks there
+            spec.loader.exec_module(judge)
+        solid = insideout.tetrahedralize(surfaces.box(), refine=True).solid
+        path = Path(self.folder)
+        insideout.write(solid, path / "solid.inp")
+        with unittest.mock.patch.object(judge, "ANALYSES", judge.ANALYSES.replace("{gravity}", "1{gravity}")):
+            (said,) = judge.wrong_in_analyses(path, solid)
+        self.assertRegex(said, "^the supports bear .*, and the weight is ")
+        solid.cells[0, :2] = solid.cells[0, 1::-1]
+        insideout.write(solid, path / "solid.inp")
+        self.assertRegex(judge.wrong_in_analyses(path, solid)[0], "^CalculiX ends its analyses with status")
 
 
 if __name__ == "__main__":
