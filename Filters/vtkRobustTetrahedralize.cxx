@@ -298,6 +298,7 @@ vtkInsideOut::SolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
     filter->GetSplitSeams())
   {
     options.Refinement.Surface = SurfaceTreatment::Kept;
+    options.Refinement.CouldBeTreated = false;
   }
   options.QuadraticCells = filter->GetRefinement()->GetQuadraticCells();
   return options;

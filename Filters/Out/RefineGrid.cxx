@@ -300,8 +300,9 @@ std::string OtherEdgesThanAsked(const RefinedMesh& refined, const RefinementPara
   {
     const double longest = *std::max_element(lengths.begin(), lengths.end());
     words << "EdgeLength is " << asked << ", and edges of the surface, which is kept, are up to "
-          << std::setprecision(3) << longest
-          << " long: SurfaceTreatment split or remeshed makes them as short";
+          << std::setprecision(3) << longest << " long"
+          << (parameters.CouldBeTreated ? ": SurfaceTreatment split or remeshed makes them as short"
+                                        : "");
     return longest > MostTimes * asked ? words.str() : std::string();
   }
   const bool isByLengthAlone = parameters.Sizes.Lengths.empty() && !parameters.Sizes.LengthAt &&

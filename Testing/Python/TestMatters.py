@@ -195,6 +195,23 @@ class DryRun(CommandLine):
             cells = made.get("RefinedCells", made["InsideCells"])
             self.assertLess(max(estimated["cells"] / cells, cells / estimated["cells"]), 5)
 
+    def test_layers_are_estimated_too(self):
+        ball = self.file("ball.ply", surfaces.ball(1, 20, 20))
+        layers = ("--layers", "4", "--first-height", "0.02")
+        for more in ((), ("--edge-length", "10%")):
+            dry = json.loads(run_here("mesh", ball, self.output, *layers, *more, "--dry-run", "--json").stdout)["estimate"]
+            made = json.loads(run_here("mesh", ball, self.output, *layers, *more, "--json").stdout)["statistics"]
+            prisms = made["Prisms"]
+            self.assertLess(max(dry["layer_cells"] / prisms, prisms / dry["layer_cells"]), 3)
+        self.assertRegex(run_here("mesh", ball, self.output, *layers, "--dry-run").stdout, r"about [0-9,]+ cells, [0-9,]+ of them in layers, in ")
+
+    def test_more_cells_than_the_limit_are_told(self):
+        words = "so short an --edge-length asks for more cells than --maximum-cells allows: the work would stop before refining"
+        for more, expected in ((("0.1",), False), (("0.002",), True), (("0.1", "--maximum-cells", "100"), True), (("0.002", "--maximum-cells", "0"), False)):
+            with self.subTest(more):
+                said = run_here("mesh", self.other, self.output, "--edge-length", *more, "--dry-run").stdout
+                self.assertEqual(words in said, expected, said)
+
     def test_lengths_whose_cubes_are_no_doubles_are_estimated(self):
         few = estimate(insideout.check(surfaces.box()).statistics, Options(edge_length=1e200))
         many = estimate(insideout.check(surfaces.box()).statistics, Options(edge_length=1e-200))

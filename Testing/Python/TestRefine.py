@@ -158,6 +158,8 @@ class Lengths(unittest.TestCase):
             ["edge_length is 2, and edges of the surface, which is kept, are up to 14.1 long: surface_treatment split or remeshed makes them as short"],
         )
         self.assertEqual(self.told(cube, edge_length=8, surface_treatment="kept")[1], [])
+        _, told = self.told(cube, edge_length=2, merge_coplanar_pieces=True)  # no other treatment is possible
+        self.assertEqual(told, ["edge_length is 2, and edges of the surface, which is kept, are up to 14.1 long"])
         for options in ({}, {"surface_treatment": "split"}, {"surface_treatment": "remeshed"}):
             made, told = self.told(cube, edge_length=2, **options)
             self.assertEqual(told, [])

@@ -4,7 +4,9 @@
 #include "Output/MassProperties.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 namespace insideout
@@ -119,10 +121,23 @@ public:
 
   std::string Advice(Id body) const
   {
-    return "; set Priority to " + this->Names[body] + ", or RegionRule to all";
+    return "; set Priority to " + AsListed(this->Names[body]) + ", or RegionRule to all";
   }
 
 private:
+  /** A name as a list of names has it: in quotes where a shell would split it. */
+  static std::string AsListed(const std::string& name)
+  {
+    std::string listed;
+    bool isPlain = true;
+    for (const char c : name)
+    {
+      listed += c == ',' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+      isPlain = isPlain && (std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-.+", c));
+    }
+    return isPlain ? listed : '"' + listed + '"';
+  }
+
   bool IsNamed(Id body) const { return this->Place[body] < this->Order.Named; }
 
   const BodyOrder& Order;

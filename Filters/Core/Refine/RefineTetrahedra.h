@@ -16,6 +16,9 @@ struct RefinementParameters
   SizingParameters Sizes;
   SurfaceTreatment Surface = SurfaceTreatment::Kept;
 
+  /** Kept: whether another treatment could be chosen, and is advised. */
+  bool CouldBeTreated = true;
+
   /** Limit of the estimated number of cells: beyond it nothing is refined; 0: no limit. */
   Id MaximumCells = 10000000;
 

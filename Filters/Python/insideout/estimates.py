@@ -11,12 +11,15 @@ import math
 from dataclasses import dataclass
 from typing import Mapping
 
-from .options import Options
+from .options import OPTIONS, Options
+from .vtkFiltersInsideOut import vtkBoundaryLayers, vtkRefineTetrahedra
 
 PIECES_OF_PAIR = 1.5  # facets more for a pair that intersects
 CELLS_OF_FACET = 2.0
 REFINED_CELLS_OF_FACET = 8.0
 REFINED_CELLS_OF_CUBE = 6.0  # whose edges have the length asked for
+TRIANGLES_OF_SQUARE = 2.3  # regular ones, whose edges have this length
+SIDES_OF_CUBE = 6.0  # a wall is taken to be as large as that of a cube of the same volume
 
 SECONDS_OF_FACET, SECONDS_OF_PAIR, SECONDS_OF_REFINED_CELL = 20e-6, 300e-6, 25e-6
 MEBIBYTES_ANYWAY, MEBIBYTES_OF_CELL, MEBIBYTES_OF_REFINED_CELL = 100.0, 1e-3, 4e-4
@@ -29,16 +32,19 @@ class Estimate:
     cells: float = 0
     seconds: float = 0
     mebibytes: float = MEBIBYTES_ANYWAY
+    layer_cells: float = 0
+    """Of the cells those in layers."""
 
     def __add__(self, other: Estimate) -> Estimate:
         both = self.mebibytes + other.mebibytes - MEBIBYTES_ANYWAY
-        return Estimate(self.cells + other.cells, self.seconds + other.seconds, both)
+        return Estimate(self.cells + other.cells, self.seconds + other.seconds, both, self.layer_cells + other.layer_cells)
 
     def words(self) -> str:
         if not math.isfinite(self.cells):
             return "more tetrahedra than can be counted"
         seconds = "a second at most" if self.seconds <= 1 else f"{_rounded(self.seconds)} s"
-        return f"about {_rounded(self.cells)} tetrahedra, in {seconds} with {_rounded(self.mebibytes)} MiB"
+        cells = f"cells, {_rounded(self.layer_cells)} of them in layers" if self.layer_cells else "tetrahedra"
+        return f"about {_rounded(self.cells)} {cells}, in {seconds} with {_rounded(self.mebibytes)} MiB"
 
 
 def estimate(statistics: Mapping[str, float], options: Options) -> Estimate:
@@ -47,15 +53,38 @@ def estimate(statistics: Mapping[str, float], options: Options) -> Estimate:
     cells = CELLS_OF_FACET * pieces
     seconds = SECONDS_OF_FACET * statistics["Facets"] + SECONDS_OF_PAIR * statistics["IntersectingPairs"]
     mebibytes = MEBIBYTES_ANYWAY + MEBIBYTES_OF_CELL * cells
+    layer_cells = 0.0
     if options.refines():
         cells = REFINED_CELLS_OF_FACET * pieces
         if options.edge_length:
             length = float(options.edge_length)
             # One division after the other: the cube of a length may be beyond all doubles.
             cells += REFINED_CELLS_OF_CUBE * max(statistics["EnclosedVolume"], 0) / length / length / length
+        layer_cells = _cells_in_layers(statistics, options, pieces) if options.makes_layers() else 0
+        cells += layer_cells
         seconds += SECONDS_OF_REFINED_CELL * cells
         mebibytes += MEBIBYTES_OF_REFINED_CELL * cells
-    return Estimate(cells, seconds, mebibytes)
+    return Estimate(cells, seconds, mebibytes, layer_cells)
+
+
+def _cells_in_layers(statistics: Mapping[str, float], options: Options, pieces: float) -> float:
+    """A prism per layer on each triangle of the whole boundary."""
+    triangles = pieces
+    if options.edge_length:
+        sides = max(statistics["EnclosedVolume"], 0) ** (1 / 3) / float(options.edge_length)
+        triangles = TRIANGLES_OF_SQUARE * SIDES_OF_CUBE * sides * sides
+    return layers_of(options) * triangles
+
+
+def layers_of(options: Options) -> int:
+    """The number of layers that the options ask for."""
+    return int(OPTIONS["layers"].used_by(options.set_on(vtkBoundaryLayers(), ["layers"]), options.layers))
+
+
+def is_beyond_limit(estimate: Estimate, options: Options) -> bool:
+    """Whether lengths ask for more cells than the work makes: it stops before any is refined."""
+    limit = OPTIONS["maximum_cells"].used_by(options.set_on(vtkRefineTetrahedra(), ["maximum_cells"]), options.maximum_cells)
+    return bool(options.edge_length and limit and estimate.cells - estimate.layer_cells > limit)
 
 
 def _rounded(number: float) -> str:

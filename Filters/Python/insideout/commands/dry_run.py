@@ -7,7 +7,7 @@ import os
 
 from ..arguments import FILE_OPTIONS
 from ..checking import check
-from ..estimates import Estimate, estimate
+from ..estimates import Estimate, estimate, is_beyond_limit
 from ..files import STANDARD_INPUT, WRITABLE_SURFACES, ending
 from ..quality import check_solid, solid_verdict
 from ..stages import CHECK, CHECK_SOLID
@@ -55,9 +55,15 @@ class DryRun(Job):
             self.warnings += result.warnings
             self.verdicts[STANDARD_INPUT if path == "-" else path] = result.verdict
             if self.makes_cells and "IntersectingPairs" in result.statistics:  # lines in a plane take no time
-                self.estimate += estimate(result.statistics, self.settings)
+                one = estimate(result.statistics, self.settings)
+                self.estimate += one
+                self.tell_of_limit(path, one)
             self.statistics = dict(result.statistics)
         self.bars.finish()
+
+    def tell_of_limit(self, path: str, found: Estimate) -> None:
+        if is_beyond_limit(found, self.settings):
+            self.warnings.append(f"{path}: so short an edge_length asks for more cells than maximum_cells allows: the work would stop before refining")
 
     def to_be_written(self) -> dict[str, str]:
         """The files by what they would hold."""

@@ -332,6 +332,9 @@ TEST(Bodies, OneThatLosesMoreThanHalfToTheOrderIsTold)
     Lines{ "body right loses 75 % of its volume to bodies before it (left); set Priority to "
            "right, or RegionRule to all" });
   EXPECT_EQ(InOrder({ left, right }, { "left", "right" }, { "left" }).Warnings, Lines{});
+  EXPECT_EQ(InOrder({ left, right }, { "left", "my right, above" }).Warnings,
+    Lines{ "body my right, above loses 75 % of its volume to bodies before it (left); set Priority "
+           "to \"my right\\, above\", or RegionRule to all" });
   EXPECT_EQ(InOrder({ left, Box({ 2, 0, 0 }, { 6, 2, 2 }) }, { "left", "half" }).Warnings, Lines{});
 }
 
