@@ -3,8 +3,8 @@
 
     python3 beam.py FOLDER [EDGE_LENGTH]
 
-Prints how far the tip goes down, and that divided by what Timoshenko's theory says. Poisson's ratio is 0: the theory's fixed end
-has no stresses sideways then. Elements are of second order.
+Prints how far the tip goes down, and that divided by what Timoshenko's theory says. Poisson's ratio is 0: the theory's fixed
+end has no stresses sideways then. Elements are of second order.
 """
 
 from __future__ import annotations
@@ -32,7 +32,8 @@ def write_mesh(edge: float, folder: Path) -> dict[str, int]:
     """Write the cells and the boundary; return the numbers of tags by their names."""
     parts = [part for low, high in ENDS for part in box((low, 0, 0), (high, 1, 1), edge)]
     write_obj(parts, folder / "beam.obj")
-    result = insideout.tetrahedralize(folder / "beam.obj", edge_length=edge, tag_rules=RULES, output=folder / "beam.xdmf")
+    output = folder / "beam.xdmf"
+    result = insideout.tetrahedralize(folder / "beam.obj", edge_length=edge, tag_rules=RULES, output=output)
     return {name: number for number, name in enumerate(result.tags)}
 
 

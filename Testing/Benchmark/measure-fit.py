@@ -4,9 +4,9 @@
 
     measure-fit.py SURFACE...
 
-Lines for machines: `ratio fit/refused N at most 0`, the cells that CalculiX refuses, and `ratio fit/wrong N at most 0`, the solids
-that gmsh's check, *STATIC or *FREQUENCY find something wrong with, both by ../Judge/judge-fit.py; `ratio size/cells R at most 1.3`,
-cells of the unit cube at edges of 0.05, against gmsh's.
+Lines for machines: `ratio fit/refused N at most 0`, the cells that CalculiX refuses, and `ratio fit/wrong N at most 0`, the
+solids that gmsh's check, *STATIC or *FREQUENCY find something wrong with, both by ../Judge/judge-fit.py; `ratio size/cells R
+at most 1.3`, cells of the unit cube at edges of 0.05, against gmsh's.
 """
 
 from __future__ import annotations
@@ -41,14 +41,16 @@ def cells_of_gmsh() -> int:
 def own_cells() -> int:
     points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
     quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
-    return len(insideout.tetrahedralize((points, [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]), edge_length=LENGTH).solid.cells)
+    triangles = [triangle for a, b, c, d in quads for triangle in ((a, b, c), (a, c, d))]
+    return len(insideout.tetrahedralize((points, triangles), edge_length=LENGTH).solid.cells)
 
 
 def main(surfaces: list[str]) -> None:
     print(f"ratio size/cells {own_cells() / cells_of_gmsh():.3f} at most {MOST_CELLS}", flush=True)
     if not surfaces:
         return
-    done = subprocess.run([sys.executable, JUDGE, *surfaces, "--diagonal", "100", "--analyses", str(ANALYSES)], stdout=subprocess.PIPE, text=True, check=False)
+    command = [sys.executable, JUDGE, *surfaces, "--diagonal", "100", "--analyses", str(ANALYSES)]
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
     print(done.stdout, end="")
     for name, pattern in (("refused", r"cells; (\d+) refused"), ("wrong", r"something wrong with (\d+) solids")):
         counts = re.findall(pattern, done.stdout)

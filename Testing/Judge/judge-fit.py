@@ -9,10 +9,11 @@ Makes an .inp file of each surface, and of those in each folder, in millimeters,
 large, and in meters: times 0.001. CalculiX gets
 it with all nodes fixed, so that it makes the matrix of each element and has nothing to solve: it names those whose Jacobian
 determinant is not positive. Prints each file with such elements, or with another number of them than `insideout check` counts;
-those that were skipped, which have no inside or cannot be read; and the sums. Gmsh gets each as a .msh file: it is to find nothing
-wrong with it, and positive Jacobian determinants. The first N solids of --analyses that have less than 50,000 cells stand on their
-lowest fifth as steel: CalculiX is to end *STATIC under their weight, which the supports bear to 1e-3, and *FREQUENCY with positive
-frequencies. Exit status 0 if no element is refused, all counts agree and nothing else is wrong; with --no-refine, if all counts agree.
+those that were skipped, which have no inside or cannot be read; and the sums. Gmsh gets each as a .msh file: it is to find
+nothing wrong with it, and positive Jacobian determinants. The first N solids of --analyses that have less than 50,000 cells
+stand on their lowest fifth as steel: CalculiX is to end *STATIC under their weight, which the supports bear to 1e-3, and
+*FREQUENCY with positive frequencies. Exit status 0 if no element is refused, all counts agree and nothing else is wrong; with
+--no-refine, if all counts agree.
 """
 
 from __future__ import annotations
@@ -109,7 +110,8 @@ def refused_by_calculix(folder: Path) -> int:
 def wrong_by_gmsh(msh: Path) -> list[str]:
     """What gmsh says of a mesh, its warnings too."""
     done = subprocess.run(["gmsh", str(msh), "-check"], capture_output=True, text=True, check=False)
-    said = [f"gmsh: {line}" for line in (done.stdout + done.stderr).splitlines() if line.startswith(("Warning", "Error"))]
+    lines = (done.stdout + done.stderr).splitlines()
+    said = [f"gmsh: {line}" for line in lines if line.startswith(("Warning", "Error"))]
     said += [f"gmsh ends with status {done.returncode}"] if done.returncode else []
     gmsh.initialize()
     try:
@@ -125,14 +127,15 @@ def wrong_by_gmsh(msh: Path) -> list[str]:
 
 
 def supports(solid: insideout.Tetrahedra) -> np.ndarray:
-    """The lowest fifth of the points of each part that has cells: parts that touch in a point or an edge alone can turn about it."""
+    """The lowest fifth of each part that faces connect: parts that touch in a point or an edge can turn about it."""
     cells, z = solid.cells[:, :4], solid.points[:, 2]
     faces = np.sort(cells[:, [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]]].reshape(-1, 3), axis=1)
     _, numbers = np.unique(faces, axis=0, return_inverse=True)
     order = np.argsort(numbers.ravel(), kind="stable")
     same = np.flatnonzero(np.diff(numbers.ravel()[order]) == 0)
     pairs = order[same] // 4, order[same + 1] // 4
-    count, part = connected_components(coo_matrix((np.ones(len(same)), pairs), shape=(len(cells), len(cells))), directed=False)
+    neighbors = coo_matrix((np.ones(len(same)), pairs), shape=(len(cells), len(cells)))
+    count, part = connected_components(neighbors, directed=False)
     held = []
     for k in range(count):
         points = np.unique(solid.cells[part == k])
@@ -148,15 +151,18 @@ def wrong_in_analyses(folder: Path, solid: insideout.Tetrahedra) -> list[str]:
     is_free[held] = False
     corners = solid.points[solid.cells[:, :4]]
     volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
-    shares = np.full(4, 1 / 4) if solid.cells.shape[1] == 4 else np.repeat([-1 / 20, 1 / 5], [4, 6])  # of a cell's weight at its nodes
+    is_linear = solid.cells.shape[1] == 4
+    shares = np.full(4, 1 / 4) if is_linear else np.repeat([-1 / 20, 1 / 5], [4, 6])  # of a cell's weight, at its nodes
     density, gravity, modulus = 7.85e-9, 9810, 2.1e5  # tonnes, millimeters and seconds
     text = ",\n".join(str(point + 1) for point in held.tolist())
-    (folder / "analyses.inp").write_text(ANALYSES.format(support=text, modulus=modulus, density=density, gravity=gravity), encoding="ascii")
+    deck = ANALYSES.format(support=text, modulus=modulus, density=density, gravity=gravity)
+    (folder / "analyses.inp").write_text(deck, encoding="ascii")
     done = subprocess.run(["ccx", "analyses"], cwd=folder, capture_output=True, text=True, check=False)
     if "Job finished" not in done.stdout or "*ERROR" in done.stdout:
         return [f"CalculiX ends its analyses with status {done.returncode}: {done.stdout.strip().splitlines()[-1:]}"]
     found = (folder / "analyses.dat").read_text(encoding="ascii")
-    forces = next((line.split() for line in found.splitlines() if len(line.split()) == 3 and "." in line and "total" not in line), [])
+    rows_of_three = [line.split() for line in found.splitlines() if len(line.split()) == 3]
+    forces = next((row for row in rows_of_three if "." in row[0]), [])
     weight = density * gravity * float(volumes @ (is_free[solid.cells] @ shares))  # at supports themselves none is told
     said = []
     if len(forces) != 3 or abs(float(forces[2]) - weight) > 1e-3 * weight:
@@ -195,7 +201,7 @@ def main() -> int:
     parser.add_argument("--no-refine", action="store_true", help="solids as they come")
     parser.add_argument("--quadratic-cells", action="store_true")
     parser.add_argument("--surface-treatment", default="kept")
-    parser.add_argument("--analyses", type=int, default=0, metavar="N", help="the number of solids to be analysed in millimeters")
+    parser.add_argument("--analyses", type=int, default=0, metavar="N", help="the number of solids to analyse")
     parser.add_argument("--most-bytes", type=int, default=sys.maxsize, help="pass over larger surfaces")
     options = parser.parse_args()
     if shutil.which("ccx") is None:
@@ -204,7 +210,8 @@ def main() -> int:
     cases: list[Case] = []
     for path in surfaces_in(options.surfaces, options.most_bytes):
         for unit in UNITS:
-            analyse = unit == "mm" and sum(one.unit == unit and one.cells < MOST_CELLS for one in cases) < options.analyses
+            analysed = sum(one.unit == unit and one.cells < MOST_CELLS for one in cases)
+            analyse = unit == "mm" and analysed < options.analyses
             case = judged(path, unit, options, analyse)
             if isinstance(case, str):
                 print(f"skipped {path.name}: {case}", flush=True)
@@ -224,7 +231,8 @@ def main() -> int:
         some = sum(case.refused > 0 for case in those)
         refused, all_cells, poor = (sum(getattr(case, name) for case in those) for name in ("refused", "cells", "poor"))
         print(f"{unit}: {len(those)} solids, {all_cells} cells; {refused} refused, in {some} solids; {poor} more are poor")
-        print(f"{unit}: gmsh and the analyses find something wrong with {sum(bool(case.wrong) for case in those)} solids")
+        wrong = sum(bool(case.wrong) for case in those)
+        print(f"{unit}: gmsh and the analyses find something wrong with {wrong} solids")
     return 0 if is_good else 1
 
 

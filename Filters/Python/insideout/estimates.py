@@ -37,7 +37,8 @@ class Estimate:
 
     def __add__(self, other: Estimate) -> Estimate:
         both = self.mebibytes + other.mebibytes - MEBIBYTES_ANYWAY
-        return Estimate(self.cells + other.cells, self.seconds + other.seconds, both, self.layer_cells + other.layer_cells)
+        layer_cells = self.layer_cells + other.layer_cells
+        return Estimate(self.cells + other.cells, self.seconds + other.seconds, both, layer_cells)
 
     def words(self) -> str:
         if not math.isfinite(self.cells):
@@ -83,7 +84,8 @@ def layers_of(options: Options) -> int:
 
 def is_beyond_limit(estimate: Estimate, options: Options) -> bool:
     """Whether lengths ask for more cells than the work makes: it stops before any is refined."""
-    limit = OPTIONS["maximum_cells"].used_by(options.set_on(vtkRefineTetrahedra(), ["maximum_cells"]), options.maximum_cells)
+    name = "maximum_cells"
+    limit = OPTIONS[name].used_by(options.set_on(vtkRefineTetrahedra(), [name]), options.maximum_cells)
     return bool(options.edge_length and limit and estimate.cells - estimate.layer_cells > limit)
 
 

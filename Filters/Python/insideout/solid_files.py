@@ -36,7 +36,11 @@ def is_for_solver(path: Path) -> bool:
 
 
 def write_result(
-    solid: vtkUnstructuredGrid, boundary: vtkPolyData, path: Path, msh_version: MshVersion = "4.1", cells_only: bool = False
+    solid: vtkUnstructuredGrid,
+    boundary: vtkPolyData,
+    path: Path,
+    msh_version: MshVersion = "4.1",
+    cells_only: bool = False,
 ) -> list[str]:
     """Write a solid, or where the name has the ending of a surface its watertight boundary. Returns what is worth knowing of the file."""
     if ending(path) in WRITABLE_SURFACES:
@@ -103,7 +107,8 @@ def write_solid(
     try:
         write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path, boundary)
     except Error as error:
-        raise error if path in str(error) or boundary_beside(path) in str(error) else Error(f"{path}: {error}") from None
+        is_named = any(name in str(error) for name in (path, boundary_beside(path)))
+        raise error if is_named else Error(f"{path}: {error}") from None
     return warnings
 
 

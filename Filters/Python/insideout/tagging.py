@@ -36,7 +36,8 @@ def with_functions_as_arrays(surface: vtkPolyData, options: Options) -> tuple[vt
             continue
         chosen = np.asarray(rule(centers, normals))
         if chosen.shape != (len(centers),) or chosen.dtype.kind not in "biu":
-            raise ArgumentError(f"the function of the tag {tag} gives {brief(chosen)}; it must give {len(centers)} bools, one for each polygon")
+            wanted = f"{len(centers)} bools, one for each polygon"
+            raise ArgumentError(f"the function of the tag {tag} gives {brief(chosen)}; it must give {wanted}")
         values = np.zeros(surface.GetNumberOfCells(), np.uint8)
         values[first:] = chosen != 0
         array = vtk_array(values)

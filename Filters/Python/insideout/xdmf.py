@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""XDMF files as text, as FEniCS reads them: the cells, and beside them the boundary, each with its tags as the first array."""
+"""XDMF files as text, as FEniCS reads them: cells, and beside them the boundary, each with its tags as the first array."""
 
 from __future__ import annotations
 
@@ -53,25 +53,27 @@ def _write(
     names: Optional[list[str]] = None,
 ) -> None:
     """One grid. `first` is the cell array that comes before all others: FEniCS takes the first for tags."""
-    kind_of_topology = _TOPOLOGIES[kind]
     cells = scalars_and_vectors(cell_arrays)
     ordered = {name: cells[name] for name in sorted(cells, key=lambda name: name != first)}
     arrays = [("Cell", name, values) for name, values in ordered.items()]
     arrays += [("Node", name, values) for name, values in scalars_and_vectors(point_arrays).items()]
     mapped = "".join(f'<map key={_quoted(name)} dim="2">{tag}</map>' for tag, name in enumerate(names or []))
-    told = [f'<Information Name="Information" Value="1"><![CDATA[<main>{mapped}</main>]]></Information>'] if mapped else []  # as meshio has it
+    information = f'<Information Name="Information" Value="1"><![CDATA[<main>{mapped}</main>]]></Information>'  # as meshio has it
+    shape = f'NumberOfElements="{len(nodes)}" NodesPerElement="{nodes.shape[1]}"'
     lines = [
         '<Xdmf Version="3.0"><Domain><Grid Name="Grid">',
-        *told,
+        *([information] if mapped else []),
         f'<Geometry GeometryType="XYZ">{_item(points)}</Geometry>',
-        f'<Topology TopologyType="{kind_of_topology}" NumberOfElements="{len(nodes)}" NodesPerElement="{nodes.shape[1]}">{_item(nodes)}</Topology>',
-        *(
-            f'<Attribute Name={_quoted(name)} AttributeType="{"Scalar" if values.ndim == 1 else "Vector"}" Center="{center}">{_item(values)}</Attribute>'
-            for center, name, values in arrays
-        ),
+        f'<Topology TopologyType="{_TOPOLOGIES[kind]}" {shape}>{_item(nodes)}</Topology>',
+        *(_attribute(*array) for array in arrays),
         "</Grid></Domain></Xdmf>",
     ]
     write_bytes("\n".join([*lines, ""]).encode(), path)
+
+
+def _attribute(center: str, name: str, values: NDArray) -> str:
+    kind = "Scalar" if values.ndim == 1 else "Vector"
+    return f'<Attribute Name={_quoted(name)} AttributeType="{kind}" Center="{center}">{_item(values)}</Attribute>'
 
 
 def _item(values: NDArray) -> str:
@@ -81,7 +83,8 @@ def _item(values: NDArray) -> str:
     precision = 8 if kind == "Float" else values.dtype.itemsize
     rows = wide.reshape(len(wide), -1).tolist()
     text = "\n".join(" ".join(map(repr, row)) for row in rows)
-    return f'<DataItem DataType="{kind}" Dimensions="{" ".join(map(str, values.shape))}" Format="XML" Precision="{precision}">\n{text}\n</DataItem>'
+    shape = " ".join(map(str, values.shape))
+    return f'<DataItem DataType="{kind}" Dimensions="{shape}" Format="XML" Precision="{precision}">\n{text}\n</DataItem>'
 
 
 def _quoted(name: str) -> str:

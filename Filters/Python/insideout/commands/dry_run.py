@@ -63,7 +63,8 @@ class DryRun(Job):
 
     def tell_of_limit(self, path: str, found: Estimate) -> None:
         if is_beyond_limit(found, self.settings):
-            self.warnings.append(f"{path}: so short an edge_length asks for more cells than maximum_cells allows: the work would stop before refining")
+            words = "so short an edge_length asks for more cells than maximum_cells allows: the work would stop before refining"
+            self.warnings.append(f"{path}: {words}")
 
     def to_be_written(self) -> dict[str, str]:
         """The files by what they would hold."""
