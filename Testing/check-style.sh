@@ -1,6 +1,7 @@
 #!/bin/sh
-# SPDX-License-Identifier: GPL-3.0-or-later Rules of the source tree, run from its root: formatting,
-# no VTK in Core, a license line in each file, and those of its structure and of its texts.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Rules of the source tree, run from its root: formatting, no VTK in Core, a license line in each
+# file, and those of its structure and of its texts.
 set -u
 failed=0
 complain() {

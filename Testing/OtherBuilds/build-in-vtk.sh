@@ -1,8 +1,9 @@
 #!/bin/sh
-# SPDX-License-Identifier: GPL-3.0-or-later build-in-vtk.sh VTK_SOURCE [FOLDER [OPTION...]]: build
-# this tree as a remote module in VTK's own build, with only the modules that vtk.module lists. Then
-# import it in Python, and run the tests of the classes there. FOLDER (build-in-vtk) gets the
-# builds, CMake the options. VTK's sources stay unchanged. VTK takes an hour on two cores.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# build-in-vtk.sh VTK_SOURCE [FOLDER [OPTION...]]: build this tree as a remote module in VTK's own
+# build, with only the modules that vtk.module lists. Then import it in Python, and run the tests of
+# the classes there. FOLDER (build-in-vtk) gets the builds, CMake the options. VTK's sources stay
+# unchanged. VTK takes an hour on two cores.
 set -eu
 source=$(cd "$(dirname "$0")/../.." && pwd)
 vtk=$(cd "$1" && pwd)

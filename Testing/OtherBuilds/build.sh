@@ -1,7 +1,7 @@
 #!/bin/sh
-# SPDX-License-Identifier: GPL-3.0-or-later build.sh FOLDER TARGETS OPTION...: configure the
-# algorithms alone in a folder, with options of CMake's, and build some targets (in one word). Files
-# that are up to date stay.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# build.sh FOLDER TARGETS OPTION...: configure the algorithms alone in a folder, with options of
+# CMake's, and build some targets (in one word). Files that are up to date stay.
 set -eu
 source=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$1
