@@ -27,7 +27,8 @@
  * data are interpolated (0 in integer arrays); vtkOriginalPointIds is -1 for points that are new or
  * have moved. Field data: the input's, and Statistics (named by StatisticsNames) of Layers, Prisms,
  * Pyramids, LayerTetrahedra; of the wall WallTriangles, WallPoints, ReducedPoints, whose layers are
- * lower than asked for, and BarePoints without any; FullHeightShare, the share of its area whose
+ * lower than asked for, and BarePoints without any, NarrowPoints, where
+ * the solid is narrower than three times the layers; FullHeightShare, the share of its area whose
  * three points have full height, MeanHeightShare, the mean of the heights' shares over it, and
  * SecondsLayers. The quality of cells is that of the tetrahedra behind. A warning gives the share
  * of the wall with full height, unless it is 1.

@@ -124,6 +124,11 @@ std::string WordsOfHeights(const Statistics& statistics)
   words << std::floor(1000 * share) / 10 << " % of the wall have layers of full height; "
         << std::setprecision(9) << valueOf("ReducedPoints") << " of its " << valueOf("WallPoints")
         << " points have lower ones, and " << valueOf("BarePoints") << " have none";
+  if (valueOf("NarrowPoints") > 0)
+  {
+    words << "; at " << valueOf("NarrowPoints")
+          << " points the solid is narrower than three times the layers";
+  }
   return share < 1 ? words.str() : std::string();
 }
 } // namespace

@@ -25,8 +25,13 @@ namespace insideout
 {
 namespace
 {
-/** Later rounds move few points. */
+/** Later rounds move few points. The end has come where fewer than this share of them moved. */
 constexpr int MostRounds = 12;
+constexpr double LeastShareOfMoved = 0.05;
+
+/** Passes over the cells between rounds, and behind the last: most come around again. */
+constexpr int PassesOfRound = 2;
+constexpr int PassesAtEnd = 4;
 
 /** Shares from here on count as full height. */
 constexpr double FullShare = 0.999;
@@ -449,34 +454,40 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
   const double height = HeightOfAll(parameters);
   const std::vector<WallDirection> directions =
     FindWallDirections(mesh.Points, wall, rims.AtPoints, height);
-  const std::vector<double> heights = LimitHeights(refinable, wall, directions, height);
+  Id narrow = 0;
+  const std::vector<double> heights = LimitHeights(refinable, wall, directions, height, narrow);
   const std::vector<double> fractions = FractionsOfLayers(parameters.Layers, parameters.Growth);
 
   PushedWall pushed(refinable, { wall, directions, heights, fractions });
   const std::int64_t first = refinable.NumberOfChanges();
-  const auto improve = [&](std::int64_t since, double begin, double end)
+  const auto improve = [&](std::int64_t since, int passes, double begin, double end)
   {
     SurfaceBound bound(refinable, facets, SurfaceTreatment::Split, 0); // of the wall as it is now
     ImproveCells(
-      refinable, surface, bound, sizes, monitor, { Stages::Layering, begin, end }, since);
+      refinable, surface, bound, sizes, monitor, { Stages::Layering, begin, end }, since, passes);
   };
   for (int round = 0; round < MostRounds; ++round)
   {
     const std::int64_t before = refinable.NumberOfChanges();
-    if (pushed.Advance(1.0 / (MostRounds - round)) == 0)
+    const Id moved = pushed.Advance(1.0 / (MostRounds - round));
+    if (moved == 0)
     {
       break;
     }
     // Edges of the moved wall are shorter: what is as long as the wall's were is in the way.
     sizes.FollowSurface();
     ThinPoints(refinable);
-    improve(before, 0.6 * round / MostRounds, 0.6 * (round + 1) / MostRounds);
+    improve(before, PassesOfRound, 0.6 * round / MostRounds, 0.6 * (round + 1) / MostRounds);
+    if (static_cast<double>(moved) < LeastShareOfMoved * static_cast<double>(wall.Points.size()))
+    {
+      break;
+    }
   }
   if (refinable.NumberOfChanges() > first)
   {
     FillWithPoints(
       refinable, sizes, 0, SurfaceTreatment::Split, monitor, { Stages::Layering, 0.6, 0.7 });
-    improve(first, 0.7, 0.9);
+    improve(first, PassesAtEnd, 0.7, 0.9);
   }
 
   const PushedSolid solid = { mesh, regions, wallFaces, refinable, wall, rims.Edges, pushed,
@@ -487,6 +498,7 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
     { "Pyramids", result.Pyramids.size() }, { "LayerTetrahedra", ofLayers } };
   AppendShares(SharesOfHeight(wall, directions, pushed, height, mesh.Points.size()), wall,
     mesh.Points, result.Statistics);
+  result.Statistics.emplace_back("NarrowPoints", narrow);
   return result;
 }
 } // namespace

@@ -65,8 +65,9 @@ struct LayeredMesh : LayerCells
  *
  * Statistics: Layers, Prisms, Pyramids, LayerTetrahedra; WallTriangles, WallPoints, of these
  * ReducedPoints, whose layers are lower than asked for, and BarePoints without layers;
- * FullHeightShare, the share of the wall's area whose three points have full height, and
- * MeanHeightShare, the mean over its area of the share of the height.
+ * NarrowPoints, for which a gap is too narrow; FullHeightShare, the share of the wall's area whose
+ * three points have full height, and MeanHeightShare, the mean over its area of the share of the
+ * height.
  *
  * @param[in] mesh of any solid, as good and as large cells as those behind the layers are to be
  * @param[in] regions one per cell; empty: all are one

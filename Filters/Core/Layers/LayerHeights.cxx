@@ -152,7 +152,7 @@ void Grade(const std::vector<Point>& points, const LayerWall& wall, std::vector<
 } // namespace
 
 std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wall,
-  const std::vector<WallDirection>& directions, double height)
+  const std::vector<WallDirection>& directions, double height, Id& narrow)
 {
   std::vector<double> heights(mesh.Points.size(), 0);
   std::vector<Id> star;
@@ -167,6 +167,7 @@ std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wal
     mesh.Star(p, star);
     const double way = WayToFacet(mesh, p, star, directions[p].Inward, times * height / ShareOfGap);
     heights[p] = std::min(height, ShareOfGap * way / times);
+    narrow += heights[p] < height ? 1 : 0;
   }
   KeepEdges(mesh.Points, wall, directions, heights);
   Grade(mesh.Points, wall, heights);

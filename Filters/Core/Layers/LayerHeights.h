@@ -14,8 +14,9 @@ constexpr double GradingOfHeights = 1;
 /**
  * How high layers may get at each point of a wall: as high as asked for, but at most a third of the
  * way to the facet ahead. Edges keep a quarter of their length, and neighbors are
- * graded. One value per point of the mesh, 0 where there is no direction.
+ * graded. Counts the points for which a gap is too narrow. One value per point of the mesh, 0 where
+ * there is no direction.
  */
 std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wall,
-  const std::vector<WallDirection>& directions, double height);
+  const std::vector<WallDirection>& directions, double height, Id& narrow);
 } // namespace insideout

@@ -29,9 +29,7 @@ constexpr double GoodAngleWhereRemeshed = 30;
 /** Cells with an angle below this, in degrees, may be improved by an additional point. */
 constexpr double AngleForPoint = 20;
 
-/** Later passes gain little. From the second value on, long edges of flat cells are split; the
- * passes before have removed most of them. */
-constexpr int Passes = 4;
+/** From this pass on, long edges of flat cells are split; the passes before have removed most. */
 constexpr int FirstPassOfLongEdges = 2;
 
 /** Least relative gains, so that improvement terminates; an additional point costs cells. */
@@ -257,18 +255,19 @@ private:
 } // namespace
 
 void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
-  SizingField& sizes, Monitor& monitor, const ProgressRange& progress, std::int64_t since)
+  SizingField& sizes, Monitor& monitor, const ProgressRange& progress, std::int64_t since,
+  int passes)
 {
   Improvement improvement(mesh, surface, bound, sizes);
-  for (int pass = 0; pass < Passes; ++pass)
+  for (int pass = 0; pass < passes; ++pass)
   {
     if (pass >= FirstPassOfLongEdges)
     {
       improvement.CutLongEdges();
     }
     const std::vector<std::pair<double, Id>> cells = improvement.BadCells(since);
-    const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(pass) / Passes),
-      progress.At(static_cast<double>(pass + 1) / Passes) };
+    const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(pass) / passes),
+      progress.At(static_cast<double>(pass + 1) / passes) };
     const LoopProgress looked(monitor, part, cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
     {

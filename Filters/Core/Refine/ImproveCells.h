@@ -16,8 +16,10 @@ namespace insideout
  *
  * @param[in] since of the mesh's changes (NumberOfChanges): cells around which nothing has changed
  *   since then are left; None: all are looked at
+ * @param[in] passes over all cells, of which the first adds no points
  * @throws Error Stopped
  */
 void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
-  SizingField& sizes, Monitor& monitor, const ProgressRange& progress, std::int64_t since = None);
+  SizingField& sizes, Monitor& monitor, const ProgressRange& progress, std::int64_t since = None,
+  int passes = 4);
 } // namespace insideout

@@ -386,6 +386,8 @@ TEST(BoundaryLayers, LeaveAThirdOfAGap)
   const LayeredMesh layered = Layered(plate, { 1, 1000, 1 });
   ExpectLaws(plate, {}, layered);
   EXPECT_EQ(StatisticOf(layered, "FullHeightShare"), 0);
+  EXPECT_EQ(StatisticOf(layered, "NarrowPoints"), StatisticOf(layered, "WallPoints"));
+  EXPECT_EQ(StatisticOf(Layered(plate, { 1, 10, 1 }), "NarrowPoints"), 0);
   EXPECT_GT(layered.Prisms.size(), 0U);
   for (const Prism& prism : layered.Prisms)
   {
