@@ -17,15 +17,33 @@ folder=$(cd "$folder" && pwd)
 tree=$folder/linked-sources
 rm -rf "$tree"
 mkdir -p "$tree/Remote/FiltersInsideOut"
-for entry in "$vtk"/*; do
+for entry in "$vtk"/* "$vtk"/.clang-tidy; do
   [ "$entry" = "$vtk/Remote" ] || ln -s "$entry" "$tree/"
 done
 ln -s "$vtk"/Remote/* "$tree/Remote/"
 ln -s "$source/CMakeLists.txt" "$source/vtk.module" "$source/Filters" "$source/Testing" "$tree/Remote/FiltersInsideOut/"
 
-# Without optimization, and many sources at once: it is to be built soon, not to run fast. The private headers of vtksys
-# refuse to be read twice. VTK's own macros end in semicolons that -Wpedantic refuses.
-echo 'cmake_language(DEFER CALL set_target_properties vtksys PROPERTIES UNITY_BUILD OFF)' >"$folder/unity.cmake"
+# Without optimization, and many sources at once: it is to be built soon, not to run fast. Not joined are third parties'
+# sources with private headers, and where sources use the same names, those with namespaces of their own. VTK's own macros
+# end in semicolons that -Wpedantic refuses.
+cat >"$folder/unity.cmake" <<'END'
+function (set_apart)
+  set_target_properties(vtksys vtkkissfft PROPERTIES UNITY_BUILD OFF)
+  foreach (module IN ITEMS CommonDataModel CommonExecutionModel FiltersCellGrid FiltersCore IOCore IOLegacy IOXML ImagingCore)
+    get_target_property(folder vtk${module} SOURCE_DIR)
+    get_target_property(sources vtk${module} SOURCES)
+    list(FILTER sources INCLUDE REGEX "^vtk.*\\.cxx$|Instantiate[A-Za-z]+\\.cxx$")
+    foreach (source IN LISTS sources)
+      get_filename_component(source ${source} ABSOLUTE BASE_DIR ${folder})
+      file(STRINGS ${source} lines REGEX "^namespace *({.*|//.*)?$|^#include .*\\.inl\"|_INSTANTIATING$")
+      if (lines)
+        set_property(SOURCE ${source} TARGET_DIRECTORY vtk${module} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+      endif ()
+    endforeach ()
+  endforeach ()
+endfunction ()
+cmake_language(DEFER CALL set_apart)
+END
 cmake -S "$tree" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON -DVTK_USE_PCH=OFF \
   -DCMAKE_PROJECT_VTK_INCLUDE="$folder/unity.cmake" -DVTK_BUILD_ALL_MODULES=OFF -DVTK_GROUP_ENABLE_StandAlone=DONT_WANT \
   -DVTK_GROUP_ENABLE_Rendering=DONT_WANT -DVTK_ENABLE_LOGGING=OFF -DVTK_BUILD_TESTING=OFF -DVTK_WRAP_PYTHON=ON \
