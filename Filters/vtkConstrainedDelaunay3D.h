@@ -5,22 +5,22 @@
  *
  * Takes a surface whose facets do not cross (vtkResolveSelfIntersections makes one) and fills its
  * convex hull with tetrahedra. Every facet is a union of their faces, every vertex one of their
- * points. Steiner points are added only where there is no other way. Flips and cuts decided by
- * exact predicates do the work in this process. Should they lose a facet, or as Engine says, TetGen
- * does it in a program of its own, insideout-tetgen, so that nothing it does can take the host
- * down; the environment variable INSIDEOUT_TETGEN names another place for that program.
+ * points. Steiner points are added only where necessary. By default flips and cuts by exact
+ * predicates recover the facets in this process. If they lose a facet, or if Engine requires it,
+ * TetGen is run in a separate program, insideout-tetgen, so that it cannot crash the host. The
+ * environment variable INSIDEOUT_TETGEN names another path of that program.
  *
- * The result is checked with exact predicates. If facets cross or a budget is used up,
- * possibly no way keeps every facet. Then the mesh that loses fewest is taken, if need be the
- * Delaunay tetrahedra of the points alone. Warnings say which way gave the mesh and why the others
- * did not; GetRungName of the statistic Rung names the way.
+ * The result is checked with exact predicates. If facets cross or a budget is used up, all methods
+ * may lose facets. Then the mesh that loses fewest is taken, in the last resort the Delaunay
+ * tetrahedra of the points. Warnings name the method of the mesh and the reasons against the
+ * others; GetRungName of the statistic Rung names it.
  *
  * Output: positively oriented vtkTetra, with the input's point data: interpolated on facets, NaN
  * (0 for integers) in the volume. Arrays of four components have one for each face in VTK's order.
  * - FacetIds (vtkIdType, cells, 4 components): the input cell that the face lies on, -1 for none;
  *   of several one whose normal leaves the cell, else the lowest
- * - FacetMultiplicity (short, cells, 4 components): by how much the winding number rises when
- *   entering the cell there
+ * - FacetMultiplicity (short, cells, 4 components): jump of the winding number on entering the cell
+ *   there
  * - vtkOriginalPointIds (vtkIdType, points): the input's point, -1 for a Steiner point
  * - LostCellIds (vtkIdType, field data): input cells of facets that the mesh does not follow
  * - Statistics, StatisticsNames (double and string, field data): figures and their names: Rung,
@@ -30,7 +30,6 @@
  * and polygons in one plane, which are for vtkRobustTriangulate.
  *
  * @sa vtkResolveSelfIntersections vtkGeneralizedWindingNumber
- *
  */
 #ifndef vtkConstrainedDelaunay3D_h
 #define vtkConstrainedDelaunay3D_h

@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkDistributeParts
- * @brief   spreads the parts of an assembly over processes, each part whole in one of them
+ * @brief distributes the parts of an assembly over processes, each part whole in one of them
  *
  * Takes surfaces as the blocks of a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection, as
- * several processes (MPI ranks) have read them, and gives each process whole parts, about as much
- * work for all. The filters of this module that follow then work on the parts of all processes at
- * once, where otherwise the first would do it all. A single process passes its input as it is.
+ * several processes (MPI ranks) have read them, and gives each process whole parts, with balanced
+ * work. Downstream filters of this module then work in all processes at once; otherwise the first
+ * would do all work. A single process passes its input as it is.
  *
- * A part is a block, or a partitioned (multi-piece) data set as a whole. The pieces of a part that
- * several processes have are put together, in their order and without ghost cells. It keeps the
- * arrays that all its pieces have, and says which others it leaves out; tags of cells (as
- * BoundaryTag) get one list of names (BoundaryTagNames) of all its pieces, and are renumbered where
- * these differ. The largest parts go first, each to the process with the least work so far; a
- * part's work is reckoned as its number of cells, and a little for itself.
+ * A part is a block, or a partitioned (multi-piece) data set as a whole. The MPI pieces of a part
+ * are joined, in their order and without ghost cells. The part keeps the arrays that all its pieces
+ * have, with warnings of the others; tags of cells (as BoundaryTag) get one list of names
+ * (BoundaryTagNames) of all its pieces, and are renumbered where these differ. The largest parts go
+ * first, each to the process with the least work so far; a part's work is its number of cells plus
+ * a small constant.
  *
  * Output: the input's blocks, with their names and order, on every process; each holds only the
- * parts that are its own, as is usual with data on many processes. A process that has no blocks to
- * begin with, as one whose file another reads, gets their names from the others. It is an error
- * when processes disagree on how many there are. Data other than vtkPolyData are left out, with a
- * warning.
+ * parts that are its own, as is usual with data on many processes. A process without blocks, whose
+ * file another process reads, gets their names from the others. Different numbers of blocks are an
+ * error. Data other than vtkPolyData are left out, with a warning.
  *
- * No filter that follows waits for other processes. So a part that fails says so, with the name of
- * its block, and keeps none of the others from its solid, in whatever process. Only if the input of
- * a whole process fails, such as a file that it cannot read, no process has an output. An error in
- * each says whose input it was: parts may be in pieces, and would be incomplete.
+ * No downstream filter waits for other processes. So an error in a part names its block, and does
+ * not affect the solids of other parts. Only if the whole input of a process fails, such as an
+ * unreadable file, no process has an output, because parts may be in pieces and would be
+ * incomplete. An error in each process names the failed one.
  *
  * @sa vtkRobustTetrahedralize vtkProbeWindingNumber
  */

@@ -5,9 +5,9 @@
  *
  * Takes any triangle or polygon surface, however broken. Resolves its self-intersections,
  * tetrahedralizes its convex hull and computes in each cell the generalized winding number w of
- * Jacobson, Kavan and Sorkine-Hornung (2013): how often the surface wraps around the cell. On a
- * closed surface w is an exact integer in every cell; holes make it a fraction that fades
- * smoothly.
+ * Jacobson, Kavan and Sorkine-Hornung (2013): the number of times the surface wraps around the
+ * cell. For a closed surface w is an exact integer in every cell; near holes it is a fraction that
+ * varies smoothly.
  *
  * Output: that of vtkConstrainedDelaunay3D with its arrays, LeftOutCellIds of
  * vtkResolveSelfIntersections, statistics of the surface's defects and the seconds of each stage,
@@ -29,7 +29,6 @@
  * Lines, and polygons in one plane without Thicken, are errors: they are for vtkRobustTriangulate.
  *
  * @sa vtkResolveSelfIntersections vtkConstrainedDelaunay3D vtkGraphCutSegmentation
- *
  */
 #ifndef vtkGeneralizedWindingNumber_h
 #define vtkGeneralizedWindingNumber_h

@@ -5,9 +5,9 @@
  *
  * Takes a conforming grid (cells of one dimension, 2 or 3, that meet in whole faces) with a cell
  * array w of one component. Finds the labelling of least energy (Jacobson, Kavan and
- * Sorkine-Hornung 2013, equations 8.8 to 8.10) by a minimum cut: each cell wants to be inside as
- * far as w is large, and neighbors with nearly equal w want the same label. The result is a global
- * minimum, of several the one with the fewest cells inside.
+ * Sorkine-Hornung 2013, equations 8.8 to 8.10) by a minimum cut: cells with large w tend to be
+ * inside, and neighbors with nearly equal w tend to have the same label. The result is a global
+ * minimum; of several, that with the fewest cells inside.
  *
  * Output: the input's cells with their data, or with ExtractInside, the default, only the cells
  * inside.
@@ -25,7 +25,6 @@
  * and Topology a convex one.
  *
  * @sa vtkGeneralizedWindingNumber
- *
  */
 #ifndef vtkGraphCutSegmentation_h
 #define vtkGraphCutSegmentation_h

@@ -13,36 +13,34 @@
  * these. EvaluateGradient gives its gradient away from the surface, analytically: zero everywhere
  * on a closed surface, and a Biot-Savart integral over the open edges of an open one.
  *
- * With SignedDistance it is one: how far the nearest polygon is, negative inside, by w, so that the
- * sign is right where the surface is open or not manifold. It jumps where a hole is: there, too, w
- * tells inside from outside, but no polygon is near.
+ * With SignedDistance it is the distance of the nearest polygon, negative inside. Its sign follows
+ * from w, so it is right also where the surface is open or not manifold. It jumps in holes: there w
+ * changes sides, but no polygon is near.
  *
  * Evaluation is thread-safe, as long as neither the properties nor the surface change. Without a
- * surface, or where it cannot be used, which is an error that names the culprit, the function is
- * 1/2: everything is outside. Where x is not finite it is NaN.
+ * surface, or if it is invalid (an error that names the culprit), the function is 1/2: everything
+ * is outside. It is NaN if x is not finite.
  *
  * For lines without polygons, which have to lie in one plane, it is the winding number of the curve
  * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
  * plane's normal is positive. Places above or below the plane have that of the place under them.
  *
- * Points without polygons and lines, with point normals, are a cloud, as scanners give them
- * (vertices do not matter). It has the winding number of Barill, Dickson, Schmidt, Levin and
- * Jacobson (2018): with areas a, unit normals n and places p of the points
+ * Points with normals, without polygons and lines, are a point cloud, such as a scan (vertices are
+ * ignored). It has the winding number of Barill, Dickson, Schmidt, Levin and Jacobson (2018): with
+ * areas a, unit normals n and places p of the points
  *
  *     w(q) = sum of a n . (p - q) / (4 pi |p - q|^3).
  *
  * Areas are those of AreaArrayName, or those of each point's Voronoi cell among its 20 nearest
- * neighbors in its tangent plane. As a term grows beyond all bounds near its point, it is made to
- * fall to 0 within the radius of a disk of the point's area: w passes smoothly from 1 to 0 across a
- * layer as thick as points are apart, and within this layer means no more than that. Sums are by a
- * tree of expansions that err by 1e-2 of the sum of a / (4 pi |p - q|^2) at most, in practice by
- * some 1e-4; the gradient is that of the same terms and errs by some hundredths. Orientation
- * REVERSE turns all normals over, the others none; other options, which are of polygons, do not
- * matter. The function is smooth, so that a contour of its samples is one of the surface that was
- * scanned.
+ * neighbors in its tangent plane. A term is unbounded near its point, so it is damped to 0 within
+ * the radius of a disk of the point's area. So w changes smoothly from 1 to 0 across a layer as
+ * thick as the spacing of points, and has no further meaning in this layer. Sums are by a tree of
+ * expansions that err by 1e-2 of the sum of a / (4 pi |p - q|^2) at most, in practice by some 1e-4;
+ * the gradient is that of the same terms and errs by some hundredths. Orientation REVERSE reverses
+ * all normals, its other values none; all other options apply to polygons only. The function is
+ * smooth, so that a contour of its samples is one of the surface that was scanned.
  *
  * @sa vtkProbeWindingNumber vtkImplicitPolyDataDistance
- *
  */
 #ifndef vtkImplicitWindingNumber_h
 #define vtkImplicitWindingNumber_h

@@ -5,63 +5,62 @@
  *
  * Takes any data set (port 0) and any triangle or polygon surface (port 1), however broken.
  * Evaluates at each point, or at the center of each cell, the generalized winding number w of
- * Jacobson, Kavan and Sorkine-Hornung (2013): how often the surface wraps around it. The surface is
- * neither resolved nor meshed. It may cross itself, and it may be open: w is then a fraction that
- * fades smoothly near the holes, and w > 1/2 still tells inside from outside, where ray casting, as
- * in vtkSelectEnclosedPoints, depends on the ray. It takes that filter's place: SetSurfaceData,
- * SetSurfaceConnection, InsideOut, IsInside and IsInsideSurface are the same.
+ * Jacobson, Kavan and Sorkine-Hornung (2013): the number of times the surface wraps around it. The
+ * surface is neither resolved nor meshed. It may cross itself, and it may be open: w is then a
+ * fraction that varies smoothly near the holes, and w > 1/2 still distinguishes inside from
+ * outside. Ray casting, as in vtkSelectEnclosedPoints, depends on the ray. The class replaces that
+ * filter: SetSurfaceData, SetSurfaceConnection, InsideOut, IsInside and IsInsideSurface are the
+ * same.
  *
  * Output: the input with all its data, and these arrays on its points or cells:
  * - w (double, points or cells): the winding number; on the surface itself the mean of its values
  *   around the point, weighted by solid angle: on a polygon of a closed surface the mean of both
  *   sides, a half
  * - Inside (unsigned char, points or cells): 1 where w is above Threshold, else 0
- * - Distance (double, points or cells): with Distance, how far the nearest polygon is; negative
- *   inside
+ * - Distance (double, points or cells): with Distance, the distance of the nearest polygon;
+ *   negative inside
  * - ClosestPoint (double, points or cells, 3 components): with ClosestPoints, the nearest point on
  *   the surface
  * - ClosestCellId (vtkIdType, points or cells): with ClosestPoints, the cell of that point
  *
- * Images and rectilinear grids are the fastest, for their rows are asked as a whole: an image of
+ * Images and rectilinear grids are fastest, because whole rows are evaluated at once: an image of
  * 300 by 300 by 300 points takes a second.
  *
- * Parts that are inside out are turned over (see Orientation). Duplicates, two-sided parts and
- * degenerate polygons count as in vtkGeneralizedWindingNumber: both give the same answer. A point
- * of the input that is not finite has w = NaN and is not inside. A point of the surface that is not
- * finite, or a cell with a point out of range, is an error that names it.
+ * Inverted parts are turned over (see Orientation). Duplicates, two-sided parts and degenerate
+ * polygons count as in vtkGeneralizedWindingNumber: both give the same result. A point of the input
+ * that is not finite has w = NaN and is not inside. A point of the surface that is not finite, or a
+ * cell with a point out of range, is an error that names it.
  *
  * For lines without polygons, which have to lie in one plane, it is the winding number of the curve
  * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
  * plane's normal is positive. Places above or below the plane have that of the place under them.
  *
- * Points without polygons and lines, with point normals, are a cloud, as scanners give them
- * (vertices do not matter). It has the winding number of Barill, Dickson, Schmidt, Levin and
- * Jacobson (2018): with areas a, unit normals n and places p of the points
+ * Points with normals, without polygons and lines, are a point cloud, such as a scan (vertices are
+ * ignored). It has the winding number of Barill, Dickson, Schmidt, Levin and Jacobson (2018): with
+ * areas a, unit normals n and places p of the points
  *
  *     w(q) = sum of a n . (p - q) / (4 pi |p - q|^3).
  *
  * Areas are those of AreaArrayName, or those of each point's Voronoi cell among its 20 nearest
- * neighbors in its tangent plane. As a term grows beyond all bounds near its point, it is made to
- * fall to 0 within the radius of a disk of the point's area: w passes smoothly from 1 to 0 across a
- * layer as thick as points are apart, and within this layer means no more than that. Sums are by a
- * tree of expansions that err by 1e-2 of the sum of a / (4 pi |p - q|^2) at most, in practice by
- * some 1e-4; Method NAIVE adds all points up. Orientation REVERSE turns all normals over, the
- * others none; other options, which are of polygons, do not matter. A point of the cloud that is
- * not finite, or has a normal of length 0 or an area below 0, is an error that names it.
+ * neighbors in its tangent plane. A term is unbounded near its point, so it is damped to 0 within
+ * the radius of a disk of the point's area. So w changes smoothly from 1 to 0 across a layer as
+ * thick as the spacing of points, and has no further meaning in this layer. Sums are by a tree of
+ * expansions that err by 1e-2 of the sum of a / (4 pi |p - q|^2) at most, in practice by some 1e-4;
+ * Method NAIVE adds all points up. Orientation REVERSE reverses all normals, its other values none;
+ * all other options apply to polygons only. A point of the cloud that is not finite, or has a
+ * normal of length 0 or an area below 0, is an error that names it.
  *
- * Each of several processes (MPI) evaluates at its own piece of the data set, against the whole
- * surface, and has the same w as one that does it all. Pieces of the surface (ghost cells apart)
- * are gathered in the first process, which validates and turns it as a whole. One of up to
- * FacetsAtOnce polygons is then sent to all; a larger one is cut into pieces of at most as many
- * facets, which all processes have in turn. So only the first holds more than a piece and its own
- * places. Lines and clouds are sent to all. Field data: the statistic SurfacePieces, how many
- * pieces there were, 1 where the surface was whole. ClosestCellId then counts the cells of all
- * pieces, one after the other. Where an input fails in one process there is no output in any, and
- * an error in each says in which. Where an input is composite each process asks for the whole
- * surface instead.
+ * Each of several processes (MPI) evaluates w at its own piece of the data set, for the whole
+ * surface, with the same values as a single process. Pieces of the surface (ghost cells apart) are
+ * gathered in the first process, which validates and turns it as a whole. One of up to FacetsAtOnce
+ * polygons is then sent to all; a larger one is cut into chunks of at most that many facets, which
+ * all processes get in turn. So only the first holds more than a chunk and its own places. Lines
+ * and clouds are sent to all. Field data: the statistic SurfacePieces, the number of chunks, 1 for
+ * a whole surface. ClosestCellId then counts the cells of all MPI pieces in sequence. If an input
+ * fails in one process, no process has an output, and an error in each names the failed one. If an
+ * input is composite, each process requests the whole surface instead.
  *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
- *
  */
 #ifndef vtkProbeWindingNumber_h
 #define vtkProbeWindingNumber_h

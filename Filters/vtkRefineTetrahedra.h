@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkRefineTetrahedra
- * @brief   better tetrahedra of the same solid, as large as asked for
+ * @brief better tetrahedra of the same solid, of the requested size
  *
- * Takes a conforming grid of tetrahedra, as vtkRobustTetrahedralize makes it or from anywhere, and
- * gives other tetrahedra of the same solid: points are added where edges are longer than asked for,
- * and the thin cells are improved as far as points that may move allow it. Without a length every
- * triangle of the boundary, and between cells of different RegionId (an optional cell array of
- * integers), stays bit by bit, with its points; with one others take their place within a
- * tolerance. SurfaceTreatment says what else may become of them. Every cell has a positive volume,
- * exactly, and no triangles of the boundary cross; cells of the input that are turned over are
- * turned back. The same input gives the same output, on any number of threads.
+ * Takes any conforming grid of tetrahedra, for example from vtkRobustTetrahedralize, and makes
+ * other tetrahedra of the same solid: points are added where edges are longer than requested, and
+ * thin cells are improved as far as movable points allow. Without a length every triangle of the
+ * boundary, and between cells of different RegionId (an optional cell array of integers), stays bit
+ * for bit, with its points; with a length the surface is remeshed within a tolerance.
+ * SurfaceTreatment has further choices. Every cell has an exactly positive volume, and no triangles
+ * of the boundary cross; inverted cells of the input are corrected. The same input gives the same
+ * output, on any number of threads.
  *
- * An optional second input, any data set, is a background: its point array of the name
- * SizingArrayName is how long edges are to be, linear between its points. Outside it there is no
- * wish.
+ * An optional second input, any data set, is a background: its point array SizingArrayName has the
+ * wanted edge lengths, linear between its points. Outside it no length is wanted.
  *
  * Output: vtkTetra, or with QuadraticCells vtkQuadraticTetra. Each cell has the cell data of the
  * input cell that holds its barycenter. But FacetIds and FacetMultiplicity (4 components, one value
@@ -36,13 +35,11 @@
  * SurfaceEdgesUnder5Degrees, which counts where the surface itself forces sharp cells, with
  * RefusedCells and PoorCells; and those of the input's by the same names with Before in front.
  *
- * Where cells stay larger than MaximumVolume, or triangles as they are though they were to be split
- * or remeshed, a warning says how many; another says where edges of the surface stay longer than
- * twice EdgeLength, or half of them below half of it. Errors, which name the culprit, leave the
- * output empty.
+ * Warnings count the cells that stay larger than MaximumVolume, and the triangles that could not be
+ * split or remeshed. Another one reports edges of the surface longer than twice EdgeLength, or half
+ * of them shorter than half of it. Errors, which name the culprit, leave the output empty.
  *
  * @sa vtkRobustTetrahedralize
- *
  */
 #ifndef vtkRefineTetrahedra_h
 #define vtkRefineTetrahedra_h

@@ -3,18 +3,18 @@
  * @class   vtkResolveSelfIntersections
  * @brief   cuts a surface where it crosses itself, exactly
  *
- * Takes any polygonal surface and gives the same surface in triangles of which no two meet
- * except in shared points and edges: what crosses, touches or overlaps is cut there, with exact
- * arithmetic. New points are rounded to doubles, and what crosses after rounding is cut again
- * until a check with exact predicates finds nothing. Points of the input keep their coordinates
- * to the last bit.
+ * Takes any polygonal surface and makes triangles of the same surface that meet only in shared
+ * points and edges: facets are cut where they cross, touch or overlap, with exact arithmetic. New
+ * points are rounded to doubles, and facets that cross after rounding are cut again, until a check
+ * with exact predicates finds no crossing. Points of the input keep their coordinates to the last
+ * bit.
  *
  * Output: points are double. The input's point data are interpolated at new points, its cell data
  * are copied.
  * - vtkOriginalPointIds (vtkIdType, points): the input's point, -1 for a new one
  * - vtkOriginalCellIds (vtkIdType, cells): the input's cell, the lowest of several
  * - FacetMultiplicity (short, cells): how often the input covers the facet along its own
- *   orientation, signed; 0 where it cancels
+ *   orientation, signed; 0 if copies cancel
  * - LeftOutCellIds (vtkIdType, field data): the input cells of facets that still cross others
  *   after the last round of rounding and are left out (a warning says so; hardly any model has
  *   one)
@@ -25,7 +25,6 @@
  * range, which they name; and lines alone, which are for vtkRobustTriangulate.
  *
  * @sa vtkConstrainedDelaunay3D
- *
  */
 #ifndef vtkResolveSelfIntersections_h
 #define vtkResolveSelfIntersections_h

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkSolidQuality
- * @brief   says what is wrong with tetrahedra, and how good they are
+ * @brief finds the defects of tetrahedra, and their quality
  *
- * Takes a grid of tetrahedra, of first or second order (vtkTetra, vtkQuadraticTetra; the corners
- * of the latter count, but for RefusedCells), and of linear pyramids and prisms of boundary layers
+ * Takes a grid of tetrahedra, of first or second order (vtkTetra, vtkQuadraticTetra; the corners of
+ * the latter count, but for RefusedCells), and of linear pyramids and prisms of boundary layers
  * (vtkPyramid, vtkWedge). Finds cells that are flat or negative, where cells do not fit together,
- * and the quality of each tetrahedron. Nothing is changed. Exact predicates decide what is flat,
- * negative or does not fit; a pyramid or prism is as its worst corner. Cells of fewer dimensions
- * are passed over, with a warning.
+ * and the quality of each tetrahedron. Nothing is changed. Exact predicates find flat, negative and
+ * non-conforming cells; a pyramid or prism is as its worst corner. Cells of lower dimension are
+ * skipped, with a warning.
  *
  * The output is the input with these cell arrays, 0 where a cell is no tetrahedron:
  * - MinDihedralAngle, MaxDihedralAngle (double): the cell's least and largest angle between two of

@@ -6,10 +6,10 @@
  *
  * Reads what vtkSolidWriter writes, and what other programs write in these formats, by the file
  * name's ending: .msh (gmsh 4.1 and 2.x, ascii), .inp (Abaqus and CalculiX) or .mesh (Medit,
- * ascii). Coordinates keep all their digits (points are double). Nothing in the file is trusted: an
- * element that refers to a missing point, a count that the file does not hold, a coordinate that is
- * not finite, or a truncated file is an error. It names the line and the element, and the outputs
- * are empty.
+ * ascii). Coordinates keep all their digits (points are double). The file is validated: an element
+ * that refers to a missing point, a count that the file does not hold, a coordinate that is not
+ * finite, or a truncated file is an error. It names the line and the element, and the outputs are
+ * empty.
  *
  * First output: the tetrahedra (vtkTetra, or vtkQuadraticTetra where all are quadratic), with the
  * cell array RegionId, and the names of regions in the field array RegionNames where the file has
@@ -28,12 +28,11 @@
  *
  * RegionId and BoundaryTag are the file's numbers less 1, and -1 in what vtkSolidWriter called
  * "outside". They count the groups instead if the file has a number below 0 or above 65535. Cells
- * of no group are of the one behind the last. Points and cells are in the order of their numbers in
- * the file, and points that no cell has stay. Other volumes and faces, as hexahedra, are counted in
- * a warning; points, lines and what is no mesh are passed over.
+ * of no group get the number after the last. Points and cells are in the order of their numbers in
+ * the file, and points in no cell are kept. Other volumes and faces, such as hexahedra, are counted
+ * in a warning; points, lines and all else are skipped.
  *
  * @sa vtkSolidWriter
- *
  */
 #ifndef vtkSolidReader_h
 #define vtkSolidReader_h

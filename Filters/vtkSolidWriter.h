@@ -23,17 +23,17 @@
  * - .mesh has the same numbers as references; names are in comments. For quadratic cells it has the
  *   sections TrianglesP2 and TetrahedraP2, which not every program reads.
  *
- * Point p is number p + 1 in each. What a format does not take in a name becomes an underscore, and
- * of equal names the later end in _2, _3 and so on. Coordinates are read back to the last bit; but
- * .inp has 20 characters for a number, which are enough from 0.01 to 1e17, and elsewhere differ by
- * less than 1e-12 of it. Other arrays are not written.
+ * Point p is number p + 1 in each. Invalid characters in names become underscores, and the later of
+ * equal names get the suffixes _2, _3 and so on. Coordinates read back to the last bit, except in
+ * .inp: its 20 characters for a number are exact from 0.01 to 1e17, with a relative error below
+ * 1e-12 elsewhere. Other arrays are not written.
  *
  * The first input may be a composite data set too, of which one block is the solid and at most one
  * other the boundary: what ParaView's Group Datasets makes of the two.
  *
- * The file is there whole or not at all: an earlier one stays as it was until the new one is on the
- * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the
- * permissions of an earlier file are kept. Devices and pipes are written at once.
+ * The file is written atomically: an earlier one stays unchanged until the new one is on the disk,
+ * also on errors. Symbolic links stay, and their targets are replaced; the permissions of an
+ * earlier file are kept. Devices and pipes are written directly.
  *
  * No cell is changed. A warning counts the cells that a solver refuses: their Jacobian determinants
  * are below 1e-20 (CalculiX's limit), in doubles with the file's digits, at an integration point;
@@ -44,7 +44,6 @@
  * which cell, point, triangle or array is wrong. It gives 0 without one when it was aborted.
  *
  * @sa vtkRobustTetrahedralize
- *
  */
 #ifndef vtkSolidWriter_h
 #define vtkSolidWriter_h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkSurfaceDefects
- * @brief   marks and draws what is wrong with a surface
+ * @brief marks and draws the defects of a surface
  *
  * Takes any polygonal surface and shows where it crosses itself, is open, non-manifold, turned the
  * wrong way, doubled or degenerate: what the table 8.1 of Jacobson's thesis (2013) counts and its
@@ -58,7 +58,6 @@
  * outputs are then empty.
  *
  * @sa vtkResolveSelfIntersections
- *
  */
 #ifndef vtkSurfaceDefects_h
 #define vtkSurfaceDefects_h

@@ -4,13 +4,13 @@
  * @brief   reads a surface from an OBJ, OFF, PLY or STL file in full precision
  *
  * Reads polygons from the four formats that surfaces travel in, ascii or binary, compressed with
- * gzip or not. Coordinates keep all their digits (points are double), and nothing in the file is
- * trusted: an id out of range, a count that the file does not hold, or a truncated file is an
- * error. It names the line or the element, and the output is empty.
+ * gzip or not. Coordinates keep all their digits (points are double), and the file is validated: an
+ * id out of range, a count beyond the file's size, or a truncated file is an error. It names the
+ * line or the element, and the output is empty.
  *
  * Output: polygons with the attributes that the file gives: Normals, TCoords and Colors, and any
- * other property of a PLY file under its own name. Points stand in the file's order; where an OBJ
- * file gives a point several normals or texture coordinates, copies follow behind the last.
+ * other property of a PLY file under its own name. Points are in the file's order; if an OBJ file
+ * gives a point several normals or texture coordinates, copies are appended.
  * - GroupIds, MaterialIds (int, cells): OBJ's objects and groups, or the solids of an STL file
  *   that has several; OBJ's materials
  * - GroupNames, MaterialNames (string, field data): the name for each such id. An OBJ group is
@@ -18,7 +18,6 @@
  *   OBJECT/GROUP
  *
  * @sa vtkRobustTetrahedralize
- *
  */
 #ifndef vtkSurfaceReader_h
 #define vtkSurfaceReader_h

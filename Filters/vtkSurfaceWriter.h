@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkSurfaceWriter
- * @brief   writes a surface as a PLY, OBJ, OFF or STL file, in full precision where that has it
+ * @brief writes a surface as a PLY, OBJ, OFF or STL file, in the format's full precision
  *
- * Writes the polygons and strips of its input. The file name's ending says how: .ply, .obj or .off
- * (text with as many digits as keep every bit) or .stl (binary; the format has only floats). What
- * vtkSurfaceReader reads back from the first three has the same coordinates to the last bit.
+ * Writes the polygons and strips of its input. The file name's ending selects the format: .ply,
+ * .obj or .off (text with all digits) or .stl (binary; the format has only floats). The first three
+ * read back with the same coordinates to the last bit.
  *
  * Normals, texture coordinates and colors (scalars of 3 or 4 unsigned char) are written to PLY
  * and OBJ, every other numeric array to PLY, none to OFF. OBJ gets the groups that the cell array
@@ -13,20 +13,19 @@
  * BoundaryTagNames, GroupNames or MaterialNames has their names. Lines and vertices are not
  * written. A composite data set is an error: a file holds one surface.
  *
- * The floats of a .stl file are no two points in one place, and no triangle without area: what
- * rounding brings together becomes one, edges shorter than a millionth of the surface's size are
- * contracted, and points take another float near by, where no more triangles meet then. A warning
- * counts the triangles that meet all the same, and did not before, and the points that nearly do.
+ * A .stl file has neither coincident points nor triangles without area. Points that coincide after
+ * rounding to floats are merged, and edges shorter than a millionth of the surface's size are
+ * contracted. Points move to another float nearby, if that adds no intersections. A warning
+ * counts the triangles that newly intersect, and the points that nearly coincide.
  *
- * The file is there whole or not at all: an earlier one stays as it was until the new one is on the
- * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the
- * permissions of an earlier file are kept. Devices and pipes are written at once.
+ * The file is written atomically: an earlier one stays unchanged until the new one is on the disk,
+ * also on errors. Symbolic links stay, and their targets are replaced; the permissions of an
+ * earlier file are kept. Devices and pipes are written directly.
  *
  * Write() gives 1, or 0 after an error event that says which file cannot be written, and why, or
  * which cell refers to a point that does not exist. It gives 0 without one when it was aborted.
  *
  * @sa vtkSurfaceReader
- *
  */
 #ifndef vtkSurfaceWriter_h
 #define vtkSurfaceWriter_h

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkVoxelFractions
- * @brief   which part of each voxel is within a solid of tetrahedra
+ * @brief the fraction of each voxel within a solid of tetrahedra
  *
  * Takes a vtkImageData or vtkRectilinearGrid (port 0) and a vtkUnstructuredGrid of tetrahedra that
  * do not overlap (port 1), as vtkRobustTetrahedralize makes them, and gives the first with
  * - VolumeFraction (double, cells): the volume that cell and tetrahedra have in common over the
  *   cell's: 0 outside, 1 within, and in between where the boundary runs through
  *
- * The sum of fractions times volumes is that of the tetrahedra, where the grid covers them, but
- * for rounding. If the tetrahedra have a cell array Inside (of one number), those where it is 0 do
- * not count; cells that are no tetrahedra, as triangles, do not either.
+ * The sum of fractions times volumes is that of the tetrahedra, where the grid covers them, but for
+ * rounding. If the tetrahedra have a cell array Inside (of one number), those where it is 0 do not
+ * count; neither do other cells, such as triangles.
  *
  * An image whose axes are turned, or a grid whose coordinates do not ascend or are fewer than two,
  * is an error.

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkWindingBoolean
- * @brief   set operations of bodies whose surfaces may be broken
+ * @brief set operations of bodies whose surfaces may be broken
  *
- * Takes several polygonal surfaces, each of which means a body, and gives the surface of what a set
- * expression makes of them, such as `A - (B | C) ^ D`. Each surface may cross itself, have parts
- * that overlap, face the wrong way or be there twice, and may touch, overlap and share faces with
- * the others. It is first turned the way that is meant; a place is in a body where its winding
- * number is above 1/2.
+ * Takes several polygonal surfaces, one for each body, and makes the surface of a set expression of
+ * them, such as `A - (B | C) ^ D`. Each surface may cross itself, have parts that overlap, face the
+ * wrong way or are duplicated, and may touch, overlap and share faces with the others. It is
+ * oriented first; a point is in a body if its winding number is above 1/2.
  *
- * Inputs are connected to port 0, one or several; of a composite data set each block is a body.
- * Bodies are called by the names of blocks or by AddBodyName; others by a letter, A the first.
+ * Inputs are connected to port 0, one or several; of a composite data set each block is a body. The
+ * names of bodies are those of blocks or of AddBodyName, otherwise letters from A on.
  *
- * There are two ways to the result, and the statistic Tetrahedra says which was taken (0 or 1).
- * Where all surfaces are closed, all are cut where they meet, exactly, and each piece stays or goes
- * by the winding numbers of all bodies on its two sides: no tetrahedra are made. If one is open, if
- * bodies may be nearer to each other than MergeTolerance, or with Tetrahedra on, all become one
- * mesh of tetrahedra. Each body has a cut of its own in it (vtkRobustTetrahedralize says how), and
- * the cells where the expression holds are the result.
+ * There are two methods; the statistic Tetrahedra tells which was used (0 or 1). If all surfaces
+ * are closed, all are cut exactly where they meet, and each piece is kept or dropped by the winding
+ * numbers of all bodies on its two sides: no tetrahedra are made. If one is open, if bodies may be
+ * nearer to each other than MergeTolerance, or with Tetrahedra on, all become one mesh of
+ * tetrahedra. Each body has a cut of its own in it (vtkRobustTetrahedralize says how), and the
+ * cells where the expression holds are the result.
  *
  * Output 0 is the surface: watertight, oriented outward, its triangles meet in shared points and
  * edges only.

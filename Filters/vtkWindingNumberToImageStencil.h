@@ -5,11 +5,11 @@
  *
  * Takes any triangle or polygon surface and gives a vtkImageStencilData of the voxels whose centers
  * are inside it, for vtkImageStencil, vtkImageAccumulate and their like: what
- * vtkPolyDataToImageStencil does for closed surfaces that do not cross themselves. Inside is where
- * the surface's winding number is above Threshold, as in vtkProbeWindingNumber, whose array Inside
- * on the image says the same. The image is told by InformationInput, or by OutputOrigin,
- * OutputSpacing and OutputWholeExtent, whose defaults are those of vtkImageStencilSource. A stencil
- * knows no other axes than x, y and z: an image with a direction of its own is an error.
+ * vtkPolyDataToImageStencil does for closed surfaces that do not cross themselves. The inside is
+ * where the surface's winding number is above Threshold, as in the array Inside of
+ * vtkProbeWindingNumber. The image is told by InformationInput, or by OutputOrigin, OutputSpacing
+ * and OutputWholeExtent, whose defaults are those of vtkImageStencilSource. A stencil knows no
+ * other axes than x, y and z: an image with a direction of its own is an error.
  *
  * Points with normals, without polygons and lines, are a cloud, as in vtkProbeWindingNumber, whose
  * point array Area, if there is one, has the areas of its points.
