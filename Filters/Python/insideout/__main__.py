@@ -7,7 +7,7 @@ from . import interruption
 
 
 def is_short_of_memory(error: Exception) -> bool:
-    """Whether that is why Python or a library could not begin."""
+    """Whether the error is an interruption or a failed import of Python or a library."""
     words = ("failed to map segment", "annot allocate memory", "can't start new thread")
     return isinstance(error, MemoryError) or any(part in str(error) for part in words)
 
@@ -26,7 +26,7 @@ def run() -> int:
 
 
 def command() -> int:
-    """Returns the exit status, of what was interrupted, too."""
+    """Returns the exit status, also after an interruption."""
     try:
         return run()
     except KeyboardInterrupt as interrupt:

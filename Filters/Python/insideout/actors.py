@@ -26,7 +26,7 @@ INK: Colour = (0.15, 0.15, 0.18)
 SOUND: Colour = (0.86, 0.86, 0.83)
 FACET_EDGES: Colour = (0.68, 0.68, 0.66)
 
-# Colors that color-blind readers tell apart, by M. Okabe and K. Ito (2008).
+# Colors that color-blind readers can distinguish, by M. Okabe and K. Ito (2008).
 CROSSING: Colour = (0.835, 0.369, 0.000)  # vermilion
 TURNED: Colour = (0.337, 0.706, 0.914)  # sky blue
 OPEN: Colour = (0.000, 0.447, 0.698)  # blue
@@ -41,7 +41,7 @@ SOLID: Colour = (0.45, 0.66, 0.80)
 EDGES: Colour = (0.12, 0.25, 0.36)
 NEARER = (-4, -40)  # factor and units of the offset of lines, as of glPolygonOffset
 WITHIN = 0.72  # how dark the inner side of facets is, beside the outer one
-SLICES = 6  # of a solid, with gaps as wide between them
+SLICES = 6  # slices of a solid, with gaps of the same width between them
 
 
 def some_triangles(surface: vtkPolyData, chosen: NDArray[np.bool_]) -> vtkPolyData:
@@ -76,7 +76,7 @@ def outside_of(hull: vtkUnstructuredGrid) -> vtkPolyData:
 
 
 def lines_of(lines: vtkPolyData, kind: int) -> vtkPolyData:
-    """Those of one DefectType."""
+    """The lines of one DefectType."""
     threshold = vtkThreshold()
     threshold.SetInputData(lines)
     threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "DefectType")
@@ -99,7 +99,7 @@ def slice_of(hull: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
 
 
 def behind(grid: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
-    """The faces of the cells that reach behind the plane: all that lie wholly before it are taken away."""
+    """The faces of the cells that reach behind the plane: cells entirely in front of it are removed."""
     extract = vtkExtractGeometry()
     extract.SetInputData(grid)
     extract.SetImplicitFunction(plane)
@@ -152,7 +152,7 @@ def actor(
 
 
 def darken_inside(drawn: vtkActor) -> None:
-    """Tell the inner side of facets from the outer one, as it is seen through holes."""
+    """Distinguish the inner side of facets from the outer one, visible through holes."""
     inside = vtkProperty()
     inside.DeepCopy(drawn.GetProperty())
     inside.SetColor(*(WITHIN * part for part in drawn.GetProperty().GetColor()))
@@ -160,7 +160,7 @@ def darken_inside(drawn: vtkActor) -> None:
 
 
 def nearer(drawn: vtkActor) -> None:
-    """Let it win against facets in the same place."""
+    """Draw it on top of facets at the same place."""
     drawn.GetMapper().SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -1)
 
 
@@ -177,7 +177,7 @@ def dot(point: NDArray[np.float64], colour: Colour = INK) -> vtkActor:
 
 
 def line_actor(data: vtkPolyData, colour: Colour, width: float, opacity: float = 1.0) -> vtkActor:
-    """Lines, and vertices as dots, which win against the faces that they lie on."""
+    """Lines, and vertices as dots, drawn on top of the faces that they lie on."""
     drawn = actor(data, colour, width=width)
     drawn.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(*NEARER)
     drawn.GetMapper().SetRelativeCoincidentTopologyPointOffsetParameter(NEARER[1])
@@ -203,7 +203,7 @@ def slice_actor(data: vtkPolyData) -> vtkActor:
 
 
 def colours_of_w() -> vtkColorTransferFunction:
-    """Blue outside, white where w is 1/2, red inside; beyond -1 and 2 nothing changes any more."""
+    """Blue outside, white where w is 1/2, red inside; constant below -1 and above 2."""
     colours = vtkColorTransferFunction()
     colours.SetColorSpaceToLab()
     for w, colour in (

@@ -37,7 +37,7 @@ class Files:
     """The files that belong to one surface, or to one solid that is checked."""
 
     surface: str
-    others: tuple[str, ...] = ()  # surfaces that are bodies together with it
+    others: tuple[str, ...] = ()  # surfaces that are further bodies
     output: Optional[str] = None
     hull: Optional[str] = None
     boundary: Optional[str] = None
@@ -52,7 +52,7 @@ class Files:
         return f"{name} and {len(self.others)} more" if self.others else name
 
     def surfaces(self) -> list[str]:
-        """Those that are read."""
+        """The input files."""
         return [self.surface, *self.others]
 
     def bodies(self) -> dict[str, str]:
@@ -68,11 +68,11 @@ class Files:
         return named
 
     def is_solid(self) -> bool:
-        """Whether it is a solid that is read, by its name."""
+        """Whether the input is a solid, by its name."""
         return ending(self.surface) in READABLE_SOLIDS
 
     def outputs(self) -> list[str]:
-        """Those that are written."""
+        """The output files."""
         paths = [getattr(self, name) for name in FILE_OPTIONS]
         return [path for path in paths if path is not None]
 
@@ -81,7 +81,9 @@ FILE_OPTIONS = [field.name for field in fields(Files) if field.name not in ("sur
 
 
 def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace, list[Files]]:
-    """The options, and the files of each surface; of `demo` none. Ends the program with one line where they make no sense."""
+    """The options, and the files of each surface (none for `demo`). Ends the program with one line if they are
+    invalid.
+    """
     given = list(sys.argv[1:] if arguments is None else arguments)
     name = given.pop(0) if given and given[0] in COMMANDS else None
     parser = _parser_of_short_form() if name is None else _parser_of(name)
@@ -118,7 +120,7 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
 
 
 def _name_command(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    """What the short form does, by those of its options that stand for a command."""
+    """The command of the short form, by those of its options that stand for a command."""
     standing = {
         "--check": ("check", options.check),
         "--winding": ("query", options.points is not None),
@@ -155,18 +157,18 @@ def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surface
 
 
 def _stem_of(surface: str) -> str:
-    """What {} stands for."""
+    """The replacement of {}."""
     return "stdin" if surface == "-" else _stem(surface)
 
 
 def _stem(surface: str) -> str:
-    """A file's name without folder and ending, nor that of its compression."""
+    """A file's name without its folder, its ending and that of its compression."""
     name, last = os.path.splitext(os.path.basename(surface))
     return os.path.splitext(name)[0] if last.lower() == GZIP else name
 
 
 class _Parser(argparse.ArgumentParser):
-    """Says what is wrong in one line, like every other failure, and not with the usage before it."""
+    """Reports an error in one line, like every other failure, without the usage."""
 
     def error(self, message: str) -> NoReturn:
         self.exit(USAGE_ERROR, f"insideout: {message} (see {self.usage})\n")

@@ -25,7 +25,7 @@ BODY_IDS, BODY_NAMES = "BodyIds", "BodyNames"
 
 
 def as_body(name: str, surface: AnySurface, scale: float) -> tuple[vtkPolyData, list[str]]:
-    """As `as_surface`; warnings and what it raises name the body."""
+    """Like `as_surface`; warnings and errors name the body."""
     try:
         polygons, warnings = as_surface(surface, scale)
     except Error as error:
@@ -70,7 +70,7 @@ def _has_polygons(surface: vtkPolyData) -> bool:
 
 
 def _keep_array(data: vtkDataSetAttributes, name: str) -> list[str]:
-    """Give an array whose name is taken another, as the filters do, and say so."""
+    """Rename an array whose name is taken, as the filters do, with a warning."""
     array = data.GetAbstractArray(name)
     if array is None:
         return []
@@ -86,7 +86,7 @@ def _keep_array(data: vtkDataSetAttributes, name: str) -> list[str]:
 
 
 def as_bodies(surface: AnyBodies, scale: float, array: Optional[str]) -> tuple[vtkPolyData, list[str], Optional[str]]:
-    """A surface as VTK holds it, warnings, and the array that says what are bodies: a mapping brings its own."""
+    """A surface as VTK holds it, warnings, and the array that identifies the bodies: a mapping brings its own."""
     if not isinstance(surface, Mapping) or is_stl(surface):
         return (*as_surface(cast(AnySurface, surface), scale), array)
     if array is not None:
@@ -101,7 +101,7 @@ def region_ids(boundary: vtkPolyData) -> Optional[NDArray[np.int32]]:
 
 
 def outer_boundary(boundary: TriangleSurface) -> TriangleSurface:
-    """A boundary without the interfaces between regions: what encloses all bodies."""
+    """A boundary without the interfaces between regions: it encloses all bodies."""
     regions = region_ids(boundary)
     if regions is None or (regions[:, 1] < 0).all():
         return boundary

@@ -30,7 +30,7 @@ Operation = Literal["union", "intersection", "difference", "symmetric-difference
 
 @dataclass(frozen=True, repr=False)
 class Boolean(MeshResult):
-    """What `boolean` made. The VTK class vtkWindingBoolean describes the arrays."""
+    """The result of `boolean`. The VTK class vtkWindingBoolean describes the arrays."""
 
     surface: TriangleSurface
     """The result's boundary: watertight, oriented outward, no two of its triangles cross; with the data of all bodies."""
@@ -62,7 +62,7 @@ class Boolean(MeshResult):
 
 
 def letter(number: int) -> str:
-    """What vtkWindingBoolean calls a body that has no name."""
+    """vtkWindingBoolean's name of an unnamed body."""
     return chr(ord("A") + number) if number < 26 else str(number + 1)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What all functions have in common: arguments that they do not have are an `Error`, and warnings are Python's."""
+"""Common behavior of all functions: unknown arguments are an `Error`, and warnings are Python's."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def for_users(function: Function) -> Function:
 
 
 def tell(texts: Iterable[str]) -> None:
-    """Say what is worth knowing about an answer that cannot hold it: an array."""
+    """Warn about an answer that cannot hold warnings: an array."""
     heard = _heard.get()
     if heard is not None:
         heard.extend(texts)
@@ -63,13 +63,13 @@ def _listening() -> Iterator[list[str]]:
 
 @contextmanager
 def quietly() -> Iterator[None]:
-    """Functions that are called meanwhile warn of nothing: who calls them tells it."""
+    """Functions called meanwhile do not warn: their caller does."""
     with _listening():
         yield
 
 
 def _check_arguments(name: str, signature: inspect.Signature, given: Sequence[Any], named: Mapping[str, Any]) -> None:
-    """Raise `Error` for what the function does not have, with the nearest that it has."""
+    """Raise `Error` for an unknown argument, with the nearest known one."""
     names = list(signature.parameters)
     hands_on = any(parameter.kind is parameter.VAR_KEYWORD for parameter in signature.parameters.values())
     for one in named:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`check`: what is wrong with a surface, and whether it matters here."""
+"""`check`: the defects of a surface, and whether they matter here."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .vtkFiltersInsideOut import vtkSurfaceDefects
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that is wrong with a surface."""
+    """One kind of defect of a surface."""
 
     text: str
     """What and how often, for example "64 open edges"."""
@@ -34,7 +34,7 @@ class Finding:
 
 @dataclass(frozen=True, repr=False)
 class Check(MeshResult):
-    """What `check` found. The VTK class vtkSurfaceDefects describes the arrays."""
+    """The result of `check`. The VTK class vtkSurfaceDefects describes the arrays."""
 
     surface: Union[TriangleSurface, Polylines]
     """The surface with what is wrong marked per cell; lines where lines were given."""

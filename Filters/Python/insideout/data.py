@@ -36,7 +36,7 @@ DataSet = TypeVar("DataSet", bound=vtkDataSet)
 
 
 class _Views(_PointSet):
-    """Arrays of a vtkPointSet as numpy views: they show VTK's memory and cost nothing."""
+    """Arrays of a vtkPointSet as numpy views of VTK's memory, without copies."""
 
     def __reduce__(self) -> tuple:
         return unpacked, (type(self), packed(self))
@@ -68,7 +68,7 @@ class _Views(_PointSet):
 
 
 class TriangleSurface(_Views, vtkPolyData):
-    """A vtkPolyData of triangles. Its arrays are views: they show VTK's memory and cost nothing."""
+    """A vtkPolyData of triangles. Its arrays are views of VTK's memory, without copies."""
 
     @property
     def triangles(self) -> NDArray[np.int64]:
@@ -79,21 +79,23 @@ class TriangleSurface(_Views, vtkPolyData):
 
     @property
     def volume(self) -> float:
-        """What the triangles enclose, in cubed units; below 0 where they face inward. It has a meaning where they are closed."""
+        """The volume enclosed by the triangles, in cubed units; negative if they face inward. It is meaningful if they
+        are closed.
+        """
         return enclosed_volume(self.points, self.triangles)
 
     @property
     def is_watertight(self) -> bool:
-        """Whether the triangles have no open edge: each is run along as often one way as the other. Points at one place are one."""
+        """Whether each edge has equally many triangles in both directions. Points at one place are one."""
         return is_closed(self._joined())
 
     @property
     def components(self) -> int:
-        """How many parts there are that edges connect. Points at one place are one."""
+        """The number of parts connected through edges. Points at one place are one."""
         return _number_of(labels_of_parts(self._joined()))
 
     def split(self) -> list[TriangleSurface]:
-        """These parts, as surfaces of their own with all arrays."""
+        """These parts, as separate surfaces with all arrays."""
         return _split(self, self.triangles, labels_of_parts(self._joined()))
 
     def _joined(self) -> NDArray[np.int64]:
@@ -122,7 +124,7 @@ class TriangleSurface(_Views, vtkPolyData):
 
 
 class Tetrahedra(_Views, vtkUnstructuredGrid):
-    """A vtkUnstructuredGrid of tetrahedra. Its arrays are views: they show VTK's memory and cost nothing."""
+    """A vtkUnstructuredGrid of tetrahedra. Its arrays are views of VTK's memory, without copies."""
 
     @property
     def cells(self) -> NDArray[np.int64]:
@@ -145,16 +147,16 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
 
     @property
     def is_watertight(self) -> bool:
-        """Whether its boundary is, as it is where no face has more than two tetrahedra."""
+        """Whether its boundary is watertight: no face has more than two tetrahedra."""
         return self.boundary.is_watertight
 
     @property
     def components(self) -> int:
-        """How many parts there are that faces connect."""
+        """The number of parts connected through faces."""
         return _number_of(labels_of_parts(self.cells[:, :4]))
 
     def split(self) -> list[Tetrahedra]:
-        """These parts, as solids of their own with all arrays."""
+        """These parts, as separate solids with all arrays."""
         return _split(self, self.cells, labels_of_parts(self.cells[:, :4]))
 
     @property
@@ -220,7 +222,7 @@ _LAYERED_TYPES = {"tetra": (VTK_TETRA, 4), "pyramid": (VTK_PYRAMID, 5), "wedge":
 
 
 class Triangles(_Views, vtkUnstructuredGrid):
-    """A vtkUnstructuredGrid of triangles in a plane. Its arrays are views: they show VTK's memory and cost nothing."""
+    """A vtkUnstructuredGrid of triangles in a plane. Its arrays are views of VTK's memory, without copies."""
 
     @property
     def cells(self) -> NDArray[np.int64]:
@@ -234,11 +236,11 @@ class Triangles(_Views, vtkUnstructuredGrid):
 
     @property
     def components(self) -> int:
-        """How many parts there are that edges connect."""
+        """The number of parts connected through edges."""
         return _number_of(labels_of_parts(self.cells))
 
     def split(self) -> list[Triangles]:
-        """These parts, as data sets of their own with all arrays."""
+        """These parts, as separate data sets with all arrays."""
         return _split(self, self.cells, labels_of_parts(self.cells))
 
     @property
@@ -261,11 +263,11 @@ class Triangles(_Views, vtkUnstructuredGrid):
 
 
 class Polylines(_Views, vtkPolyData):
-    """A vtkPolyData of polylines. Its arrays are views: they show VTK's memory and cost nothing."""
+    """A vtkPolyData of polylines. Its arrays are views of VTK's memory, without copies."""
 
     @property
     def lines(self) -> list[NDArray[np.int64]]:
-        """The points of each polyline, one behind the other; a closed one has its first again at its end."""
+        """The points of each polyline in sequence; a closed one repeats its first at its end."""
         lines = self.GetLines()
         if lines.GetNumberOfCells() == 0:
             return []

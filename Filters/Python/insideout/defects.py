@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be wrong with a surface, in words."""
+"""The possible defects of a surface, in words."""
 
 from typing import NamedTuple
 
@@ -10,15 +10,15 @@ class Defect(NamedTuple):
     statistic: str  # the filters' name of its count
     one: str
     several: str
-    consequence: str = ""  # what InsideOut makes of it; empty for what only a mesh can tell
-    matters: bool = False  # whether the solid may not be the one that is meant, or there may be none
+    consequence: str = ""  # InsideOut's treatment; empty for defects that only a mesh can show
+    matters: bool = False  # whether the solid may be wrong or missing
 
     def counted(self, count: float) -> str:
-        """How often it was found, in words."""
+        """The count in words."""
         return f"{int(count):,} {self.one if count == 1 else self.several}"
 
 
-# What matters comes first.
+# Most important first.
 DEFECTS = (
     Defect(
         *("InconsistentEdges", "inconsistent edge", "inconsistent edges"),

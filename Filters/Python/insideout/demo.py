@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small broken surfaces to try the commands on, made by arithmetic alone: the same at each call."""
+"""Small broken surfaces for trying the commands, made by arithmetic only: the same at each call."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ class Mesh:
         return Mesh(self.points, self.triangles[:, ::-1])
 
     def surface(self) -> vtkPolyData:
-        """With as many decimals as every processor agrees on."""
+        """With as many decimals as all processors agree on."""
         used, triangles = np.unique(self.triangles, return_inverse=True)
         return make_surface(np.round(self.points[used], DECIMALS) + 0.0, triangles.reshape(-1, 3))
 
 
 def joined(meshes: Iterable[Mesh]) -> Mesh:
-    """Several beside each other: nothing is cut where they overlap."""
+    """Several surfaces as one: nothing is cut where they overlap."""
     points, triangles, count = [], [], 0
     for mesh in meshes:
         points.append(mesh.points)
@@ -120,7 +120,7 @@ def figure() -> vtkPolyData:
 
 
 def inverted() -> vtkPolyData:
-    """Two balls apart, one of them inside out."""
+    """Two separate balls, one of them inverted."""
     return joined([ball((0, 0, 0), (1, 1, 1), 20, 12), ball((2.5, 0, 0), (0.8, 0.8, 0.8), 20, 12).inside_out()]).surface()
 
 

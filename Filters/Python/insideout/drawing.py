@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draw a surface and what became of it."""
+"""Draw a surface and its solid."""
 
 from __future__ import annotations
 
@@ -114,13 +114,13 @@ def draw_quality(solid: Union[SolidCheck, AnySolid], picture: Path) -> None:
 
 
 def check_display(drawing: Optional[str]) -> None:
-    """Raise `Error` where a picture would need a display and there is none. A page needs none."""
+    """Raise `Error` if a picture needs a display and there is none. A page needs none."""
     if drawing is not None and ending(drawing) != PAGE:
         display_command()
 
 
 def refuse_page_of_plane(drawing: Optional[str]) -> None:
-    """Raise `Error` where a page is to show what lies in a plane."""
+    """Raise `Error` if a page is requested of planar input."""
     if drawing is not None and ending(drawing) == PAGE:
         raise Error(f"{drawing}: a page shows a surface in space, and this lies in a plane: draw a picture ({PICTURES[0]})")
 
@@ -154,6 +154,6 @@ def _write_panels(picture: str, **seen: Any) -> None:
 
 
 def up_of(surface: Union[Check, AnySurface]) -> Optional[str]:
-    """Which axis is up by the kind of file: those of machines have z; others may be either way."""
+    """The up axis by the kind of file: z for machines' formats; others may use either."""
     is_of_machines = isinstance(surface, (str, os.PathLike)) and input_ending(path_of("the surface", surface)) in _OF_MACHINES
     return "z" if is_of_machines else None

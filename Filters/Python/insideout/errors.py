@@ -10,14 +10,14 @@ MOST_OF_VALUE = 60  # letters that a message repeats of a value
 
 
 class Error(RuntimeError):
-    """What a function could not do, in one line that names the culprit."""
+    """A function's failure, in one line that names the culprit."""
 
     def __init__(self, words: str):
         super().__init__("\\n".join(words.splitlines()))  # names of files may have several
 
 
 class ArgumentError(Error):
-    """An argument that makes no sense, whatever the files hold."""
+    """An argument that is invalid, whatever the files contain."""
 
 
 class Warning(UserWarning):  # noqa: A001
@@ -25,7 +25,7 @@ class Warning(UserWarning):  # noqa: A001
 
 
 def finite(name: str, value: Any) -> float:
-    """A number of a function's caller. Raises `ArgumentError` for what is none."""
+    """A number given by a function's caller. Raises `ArgumentError` for anything else."""
     try:
         number = float(value)
     except OverflowError:
@@ -38,7 +38,7 @@ def finite(name: str, value: Any) -> float:
 
 
 def at_least(least: float, name: str, value: Any) -> float:
-    """A filter's parameter. VTK would clamp a bad one without a word: here it is an `ArgumentError`."""
+    """A filter's parameter. VTK would clamp an invalid one silently: here it is an `ArgumentError`."""
     number = finite(name, value)
     if number < least:
         raise ArgumentError(f"{name} is {number:g}; it must be finite and at least {least:g}")
@@ -46,7 +46,7 @@ def at_least(least: float, name: str, value: Any) -> float:
 
 
 def one_of(choices: Collection[Any], name: str, value: Any) -> Any:
-    """A choice of a function's caller. Raises `ArgumentError` for what is none."""
+    """A choice given by a function's caller. Raises `ArgumentError` for anything else."""
     try:
         known = value in set(choices)
     except TypeError:  # what has no hash is none of them
@@ -72,7 +72,7 @@ def text_of(name: str, value: Any) -> str:
 
 
 def brief(value: Any) -> str:
-    """What a message says of a value: one line, not too long."""
+    """A value as it appears in a message: one line, not too long."""
     try:
         words = " ".join(repr(value).split())
     except Exception:  # noqa: BLE001 - whatever an object's __repr__ raises

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""About how many cells a surface gives, and how much time and memory that takes.
+"""Estimates of the number of cells made from a surface, and of the time and memory.
 
-The constants are rounded from nine surfaces of 440 to 65,000 facets, with and without crossings, on two processors; of these
-no number of cells was off by more than a factor of 2.5, and no time by more than one of 4.
+The constants are rounded from nine surfaces of 440 to 65,000 facets, with and without crossings, on two processors;
+estimates for these were within a factor of 2.5 in the number of cells, and of 4 in time.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Mapping
 from .options import OPTIONS, Options
 from .vtkFiltersInsideOut import vtkBoundaryLayers, vtkRefineTetrahedra
 
-PIECES_OF_PAIR = 1.5  # facets more for a pair that intersects
+PIECES_OF_PAIR = 1.5  # additional facets per intersecting pair
 CELLS_OF_FACET = 2.0
 REFINED_CELLS_OF_FACET = 8.0
 REFINED_CELLS_OF_CUBE = 6.0  # whose edges have the length asked for
@@ -27,7 +27,7 @@ MEBIBYTES_ANYWAY, MEBIBYTES_OF_CELL, MEBIBYTES_OF_REFINED_CELL = 100.0, 1e-3, 4e
 
 @dataclass
 class Estimate:
-    """What the work on a surface, or on several, takes."""
+    """The estimated work on a surface, or on several."""
 
     cells: float = 0
     seconds: float = 0
@@ -59,7 +59,7 @@ def estimate(statistics: Mapping[str, float], options: Options) -> Estimate:
         cells = REFINED_CELLS_OF_FACET * pieces
         if options.edge_length:
             length = float(options.edge_length)
-            # One division after the other: the cube of a length may be beyond all doubles.
+            # Divide one by one: the cube of a length may exceed all doubles.
             cells += REFINED_CELLS_OF_CUBE * max(statistics["EnclosedVolume"], 0) / length / length / length
         layer_cells = _cells_in_layers(statistics, options, pieces) if options.makes_layers() else 0
         cells += layer_cells
@@ -90,5 +90,5 @@ def is_beyond_limit(estimate: Estimate, options: Options) -> bool:
 
 
 def _rounded(number: float) -> str:
-    """With one digit that counts."""
+    """Rounded to one significant digit."""
     return f"{float(f'{number:.0e}'):,.0f}"

@@ -37,7 +37,7 @@ def pyvista_of(data: Any) -> Any:
 
 
 def trimesh_of(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> Any:
-    """A trimesh.Trimesh with the points as they are: none is merged."""
+    """A trimesh.Trimesh with unmerged points."""
     return import_package("trimesh").Trimesh(vertices=points, faces=triangles, process=False)
 
 
@@ -57,12 +57,14 @@ def stl_of(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> Any:
 
 
 def is_boundary_alone(solid: vtkUnstructuredGrid, boundary: Optional[vtkPolyData]) -> bool:
-    """Whether there is a boundary of cells that there are not: `surface_only` makes no others."""
+    """Whether there is a boundary of cells that do not exist: `surface_only` makes no others."""
     return solid.GetNumberOfCells() == 0 and boundary is not None and boundary.GetNumberOfCells() > 0
 
 
 def scalars_and_vectors(arrays: Mapping[str, NDArray]) -> dict[str, NDArray]:
-    """What most formats have: arrays of other than one or three components fall apart into NAME_0, NAME_1 ..."""
+    """Arrays as most formats support them: arrays of other than one or three components are split into NAME_0, NAME_1
+    ...
+    """
     found: dict[str, NDArray] = {}
     for name, values in arrays.items():
         if values.ndim == 1 or values.shape[1] == 3:
@@ -125,7 +127,7 @@ def _numbers(values: Any, count: int) -> NDArray[np.int32]:
 
 
 def _entities(points: int, groups: Sequence[_Groups]) -> NDArray[np.int64]:
-    """The dimension and number of what each point lies on: of several tags the first, and else of regions."""
+    """The dimension and number of the entity that each point lies on: the first of several tags, else the region."""
     entities = np.tile([3, 1], (points, 1))
     for one in groups:
         first = np.full(points, np.iinfo(np.int64).max)
@@ -136,7 +138,7 @@ def _entities(points: int, groups: Sequence[_Groups]) -> NDArray[np.int64]:
 
 
 def _points_there(points: NDArray[np.float64], others: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Which of the points is where each of the others is. Raises `Error` where there is none."""
+    """The index of the coincident point for each of the others. Raises `Error` if there is none."""
     places, ids = np.unique(np.vstack([points, others]) + 0.0, axis=0, return_inverse=True)  # -0 is 0
     there = np.full(len(places), -1, np.int64)
     first = ids.ravel()[: len(points)][::-1]

@@ -203,7 +203,7 @@ def _is_compressed(path: str) -> bool:
 
 @contextmanager
 def _decompressed(path: str) -> Iterator[str]:
-    """A file that holds what this one does, without compression."""
+    """A file with the same content, uncompressed."""
     if not _is_compressed(path):
         yield path
         return
@@ -231,7 +231,7 @@ def _most_bytes() -> float:
 
 @contextmanager
 def temporary_folder() -> Iterator[str]:
-    """A folder that is removed in the end, with all that is in it."""
+    """A folder that is finally removed with all its content."""
     try:
         folder = tempfile.mkdtemp()
     except OSError as error:
@@ -339,7 +339,7 @@ def check_output(path: Path, endings: tuple[str, ...]) -> None:
 
 
 def is_of_others(path: Path) -> bool:
-    """Whether a file with something in it is there that does not show that this program wrote it."""
+    """Whether a non-empty file exists there that does not show that this program wrote it."""
     if not os.path.isfile(path) or os.path.getsize(path) == 0:
         return False
     try:

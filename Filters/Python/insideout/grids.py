@@ -33,7 +33,7 @@ ROUNDING = 1e-12
 
 @dataclass(frozen=True, repr=False, eq=False)
 class DistanceGrid(Result):
-    """What `sdf_grid` found: values at the points origin + spacing * (i, j, k)."""
+    """The result of `sdf_grid`: values at the points origin + spacing * (i, j, k)."""
 
     distance: NDArray[np.float64]
     """How far each point is, negative inside, in the surface's units; with an index for x, y and z each."""
@@ -121,7 +121,7 @@ def sdf_grid(
 
 
 def _boundary_of(polygons: vtkPolyData, options: Options, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:
-    """What encloses the solid, and warnings."""
+    """The surface that encloses the solid, and warnings."""
     made = tetrahedralize(
         polygons,
         orientation=options.orientation,
@@ -155,7 +155,7 @@ def _padded(polygons: vtkPolyData, padding: Optional[float]) -> tuple[Vector, Ve
 
 
 def _fitted(low: Vector, high: Vector, shape: object, spacing: object) -> tuple[NDArray[np.int64], Vector]:
-    """How many points cover a box, and how far they are apart."""
+    """The number of points that cover a box, and their spacing."""
     if spacing is not None:
         steps = spacing_of(spacing)
         return sizes_of(np.ceil(steps_between(low, high, steps) * (1 - ROUNDING)) + 1, f"spacing is {brief(spacing)}"), steps

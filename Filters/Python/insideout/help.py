@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What --help prints: a screen for the command as a whole and for each of its subcommands; --help-all tells the rest."""
+"""The output of --help: a screen for the command and for each of its subcommands; --help-all has the rest."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def _gist(words: str) -> str:
 
 
 def _beside(head: str, words: str, indent: int = INDENT) -> list[str]:
-    """A head and words behind it, or below where it is long."""
+    """A heading with its words, on the next line if it is long."""
     lines = [" " * indent + line for line in textwrap.wrap(words, _columns() - indent, break_on_hyphens=False)]
     if lines and len(head) < indent:
         return [head + lines[0][len(head) :], *lines[1:]]

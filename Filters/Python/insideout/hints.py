@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command line says of a result that another option would make better for a printer, one line each."""
+"""Advice of the command line on options that make a result better for a printer, one line each."""
 
 from __future__ import annotations
 

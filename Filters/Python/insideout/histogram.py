@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panel of pictures that shows how good tetrahedra are."""
+"""The panel of pictures with the quality of tetrahedra."""
 
 from __future__ import annotations
 
@@ -59,6 +59,6 @@ def histogram_panel(figures: vtkUnstructuredGrid) -> Panel:
 
 
 def texts_of(figures: vtkUnstructuredGrid) -> list[str]:
-    """How good a solid is, as the command's summary says it."""
+    """The quality of a solid in the words of the command's summary."""
     statistics = statistics_of(figures)
     return [solid_verdict(statistics), *(f"{what}: {how_much}" for what, how_much in quality_rows(statistics))]

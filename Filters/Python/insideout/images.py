@@ -47,14 +47,14 @@ def bounds_of(surface: vtkPolyData) -> Tuple[Vector, Vector]:
 
 
 def steps_between(low: Vector, high: Vector, steps: NDArray[Any]) -> Vector:
-    """How many steps there are along each axis, and a fraction; infinity beyond doubles."""
+    """The number of steps along each axis, as a fraction; infinity beyond doubles."""
     with np.errstate(over="ignore"):
         between: Vector = (high - low) / steps
     return between
 
 
 def sizes_of(sizes: Vector, reason: str) -> NDArray[np.int64]:
-    """How many points there are along each axis. Raises `Error` with the reason where there are too many."""
+    """The number of points along each axis. Raises `Error` with the reason if there are too many."""
     with np.errstate(over="ignore"):
         number = sizes.prod()
     if not number < MOST_POINTS:

@@ -69,7 +69,7 @@ ARRAYS: Tuple[str, str] = ("points", "triangles")
 
 
 def output_of(source: Union[vtkAlgorithm, vtkAlgorithmOutput], what: str, kind: type[DataSet]) -> tuple[DataSet, list[str]]:
-    """The surface, or what it is to be, that an algorithm makes, which is updated, and its warnings."""
+    """The surface, or a future surface, that an algorithm makes, which is updated, and its warnings."""
     algorithm, port = (source, 0) if isinstance(source, vtkAlgorithm) else (source.GetProducer(), source.GetIndex())
     name = algorithm.GetClassName()
     if algorithm.GetNumberOfOutputPorts() == 0:
@@ -114,7 +114,7 @@ def path_of(name: str, path: Any) -> str:
 
 
 def refuse_composite(what: str, data: Any) -> None:
-    """Raise `Error` for what has blocks."""
+    """Raise `Error` for a composite data set."""
     if isinstance(data, vtkCompositeDataSet):
         raise Error(
             f"the {what} is a {data.GetClassName()}, which has blocks: give one of them, "

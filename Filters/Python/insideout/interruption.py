@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the command ends after Ctrl-C or SIGTERM: within a second, with one line that names the file, and nothing left behind."""
+"""The end of the command after Ctrl-C or SIGTERM: within a second, with one line that names the file, and without
+remains.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +35,7 @@ class _Command:
 
 
 def work_on(file: str) -> None:
-    """From now on it is the work on this file that a signal ends."""
+    """Set the file whose work a signal ends."""
     _Command.file = file
 
 
@@ -43,7 +45,7 @@ def message(interrupt: KeyboardInterrupt) -> str:
 
 
 def told() -> None:
-    """The user knows why the command ends."""
+    """The user knows the reason for the end."""
     _Command.told = True
 
 
@@ -54,7 +56,7 @@ def exit_status(interrupt: KeyboardInterrupt) -> int:
 
 @contextmanager
 def cleaning_up(clean_up: Callable[[], object]) -> Iterator[None]:
-    """Do this in the end, also when the process ends at once."""
+    """Do this at the end, also if the process ends at once."""
     before_end_at_once(clean_up)
     try:
         yield
@@ -86,7 +88,7 @@ def deferring_signals() -> Iterator[None]:
 
 
 def before_end_at_once(clean_up: Callable[[], object]) -> None:
-    """Do this when the process does not come to its own end in time."""
+    """Do this if the process does not end by itself in time."""
     _Command.clean_ups.append(clean_up)
 
 

@@ -118,7 +118,7 @@ def beneath(statistics: Mapping[str, float]) -> list[vtkProp]:
 
 
 def whole_legend(statistics: Mapping[str, float], places: Sequence[Place] = ()) -> list[vtkProp]:
-    """A panel that says all: the verdict, each count and the worst places."""
+    """A panel with everything: the verdict, each count and the worst places."""
     lines = [*(_Line(text) for text in textwrap.wrap(verdict(statistics), COLUMNS)), _GAP]
     lines += [_Line(row.text, row.colour, indent=0.045) for row in counts(statistics)]
     lines += [_GAP, _Line("The worst places", bold=True)] if places else []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a check has marked, in one surface: its facets, and the lines of what is wrong."""
+"""A checked surface with its marks: its facets, and the lines of its defects."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Options that cannot matter for what the command is to do: each is refused before any file is read, with the reason."""
+"""Options without effect on the command's task: each is refused before any file is read, with the reason."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Asked:
         return ending(self.options.output or "") in WRITABLE_SURFACES
 
     def treatment(self) -> str:
-        """What becomes of the triangles of the surface."""
+        """The treatment of the surface's triangles."""
         given = getattr(self.options, "surface_treatment", "automatic")
         if given != "automatic":
             return given
@@ -55,7 +55,7 @@ class Asked:
         return "remeshed" if self.has("edge_length", "sizes") and not is_kept else "kept"
 
     def keeps_boundary(self) -> bool:
-        """Whether nothing but a boundary is written that is as it was before the refinement."""
+        """Whether only a boundary is written that is unchanged by the refinement."""
         return self.treatment() == "kept" and self.writes_surface() and not self.has("plot", "report", "json")
 
     def has_bodies(self) -> bool:
@@ -64,7 +64,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Rule:
-    """When some options cannot matter, and why."""
+    """The cases in which some options have no effect, and the reasons."""
 
     names: Sequence[str]
     holds: Callable[[Asked], bool]
@@ -109,7 +109,7 @@ RULES = (
 
 
 def refusal(options: argparse.Namespace, surfaces: Sequence[str]) -> Optional[str]:
-    """One line about the first option that cannot matter; None where each can."""
+    """One line about the first option without effect; None if there is none."""
     asked = Asked(options, surfaces)
     return next((line for line in (_of_command(asked), _of_solid(asked), _of_defects(asked), _by_rules(asked)) if line), None)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What triangles and tetrahedra measure, and how they hang together, from arrays alone."""
+"""Measures and connectivity of triangles and tetrahedra, from arrays."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ def joined_where_equal(points: Points, cells: Ids) -> Ids:
 
 
 def is_closed(triangles: Ids) -> bool:
-    """Whether each edge is run along as often one way as the other, and there is one."""
+    """Whether there are edges, and each has equally many triangles in both directions."""
     edge, forward = _edges(triangles)
     balance = np.bincount(edge, np.where(forward, 1, -1))
     return len(balance) > 0 and not balance.any()
 
 
 def count_crowded_edges(triangles: Ids) -> int:
-    """How many edges have more than two triangles."""
+    """The number of edges with more than two triangles."""
     return int((np.bincount(_edges(triangles)[0]) > 2).sum())
 
 
@@ -62,7 +62,7 @@ def _edges(triangles: Ids) -> tuple[Ids, NDArray[np.bool_]]:
 
 
 def labels_of_parts(cells: Ids) -> Ids:
-    """For each cell the number of the part that it is of: those that share a side hang together. Parts are numbered by their first cells."""
+    """The number of each cell's part: cells that share a side are connected. Parts are numbered by their first cells."""
     corners = cells.shape[1]
     sides = np.array([[k for k in range(corners) if k != left_out] for left_out in range(corners)])
     rows = np.sort(cells[:, sides].reshape(-1, corners - 1), axis=1)
@@ -74,7 +74,7 @@ def labels_of_parts(cells: Ids) -> Ids:
 
 
 def _joined(count: int, one: Ids, other: Ids) -> Ids:
-    """The least of the numbers below `count` that each hangs together with, through pairs."""
+    """For each number below `count` the least number connected with it through pairs."""
     labels = np.arange(count)
     while True:
         least = np.minimum(labels[one], labels[other])
@@ -87,7 +87,7 @@ def _joined(count: int, one: Ids, other: Ids) -> Ids:
 
 
 def faces_of_one_cell(cells: Ids) -> Ids:
-    """The faces of tetrahedra that no second one has, turned outward."""
+    """The faces of exactly one tetrahedron, turned outward."""
     faces = cells[:, np.array(FACES)].reshape(-1, 3)
     _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
     outer: Ids = faces[np.sort(first[count == 1])]

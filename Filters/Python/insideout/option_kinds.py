@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The kinds of options: what each takes, and how it comes to VTK's filters and to the command line."""
+"""The kinds of options: their values, and their mapping to VTK's filters and to the command line."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Option:
     choices: tuple[str, ...] = ()  # by the values of VTK's constants, from 0
 
     def checked(self, name: str, value: Any) -> Any:
-        """What a filter's property gets. Raises `Error` for what VTK would clamp without a word."""
+        """The value of a filter's property. Raises `Error` for values that VTK would clamp silently."""
         return text_of(name, value)
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
@@ -104,7 +104,7 @@ class Switch(Option):
 
 
 class Decision(Option):
-    """A switch whose default depends on what is asked for besides: None."""
+    """A switch whose default depends on other options: None."""
 
     def checked(self, name: str, value: Any) -> bool:
         return switch(name, value)
@@ -232,7 +232,7 @@ def kind_of(one: Declared) -> type[Option]:
 
 
 def owner_of(algorithm: Any, vtk_property: str) -> Any:
-    """The filter that declares a property: a stage that the given one hands out, or it itself. None where neither does."""
+    """The filter that declares a property: the given one or one of its stages. None if neither does."""
     stages = (getattr(algorithm, name)() for name in ("GetWindingNumber", "GetSegmentation", "GetRefinement") if hasattr(algorithm, name))
     return next((owner for owner in (*stages, algorithm) if hasattr(owner, "Set" + vtk_property)), None)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packages of others, which need not be installed."""
+"""Packages of others, which are optional."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ OF_PIP = {"stl": "numpy-stl"}
 
 
 def import_package(name: str, why: str = "") -> Any:
-    """The module. Raises `Error` that says what to do where it is not installed."""
+    """The module. Raises `Error` with the remedy if it is not installed."""
     try:
         return import_module(name)
     except ImportError:

@@ -83,7 +83,7 @@ def draw_panels(
 
 
 def display_command() -> list[str]:
-    """What to begin a command with that needs a display. Raises `Error` where there is none to be had."""
+    """Arguments that provide a display for a command. Raises `Error` if that is impossible."""
     if os.environ.get("DISPLAY"):
         return []
     if shutil.which("xvfb-run") is None:

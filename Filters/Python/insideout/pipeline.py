@@ -130,7 +130,7 @@ def write_bytes(content: bytes, path: str) -> None:
 
 
 def _require_memory(algorithm: vtkAlgorithm) -> None:
-    """Raise `Error` where VTK would end the program. Our own classes see to that themselves."""
+    """Raise `Error` where VTK would end the program. The classes of this module do that themselves."""
     inputs = (
         algorithm.GetInputDataObject(port, connection)
         for port in range(algorithm.GetNumberOfInputPorts())

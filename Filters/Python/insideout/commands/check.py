@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`insideout check`: what is wrong with a surface or a solid."""
+"""`insideout check`: the defects of a surface or a solid."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .job import Job
 
 
 class CheckJob(Job):
-    """One run that looks at a surface."""
+    """One run that checks a surface."""
 
     stages = CHECK
     checked: Check
@@ -50,7 +50,7 @@ class CheckJob(Job):
 
 
 class SolidCheckJob(Job):
-    """One run that looks at a solid, and draws it where that is asked for."""
+    """One run that checks a solid, and draws it on request."""
 
     stages = CHECK_SOLID
     readable = READABLE_SOLIDS

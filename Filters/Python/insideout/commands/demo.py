@@ -42,7 +42,7 @@ COMMANDS = (
 
 
 def contents() -> dict[str, bytes]:
-    """What the files of the demo hold, by name."""
+    """The content of the demo's files, by name."""
     made = {name: text.encode() for name, text in TEXTS.items()}
     with temporary_folder() as folder:
         for name, surface in SURFACES.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`insideout draw`: a picture or a page of a surface and of what becomes of it, or only of what is wrong with it.
+"""`insideout draw`: a picture or a page of a surface and its solid, or only of its defects.
 
 Solids are drawn when they are checked.
 """
@@ -25,7 +25,7 @@ from .mesh import MeshJob
 
 
 def write_marks(job: Job, checked: Check) -> None:
-    """Write the file with what is wrong, where it is asked for."""
+    """Write the file with the defects, on request."""
     if job.files.marked is not None:
         work_on(job.files.marked)
         write_marked(checked, job.files.marked)
@@ -33,7 +33,7 @@ def write_marks(job: Job, checked: Check) -> None:
 
 
 class DrawJob(MeshJob):
-    """One run that makes tetrahedra for a picture, and writes nothing else than what is wrong."""
+    """One run that makes tetrahedra for a picture, and writes only the defects besides."""
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {**super().endings(), "marked": MARKED_FILES}
@@ -45,7 +45,7 @@ class DrawJob(MeshJob):
 
 
 class DefectsJob(CheckJob):
-    """One run that draws what is wrong, and meshes nothing."""
+    """One run that draws the defects, without meshing."""
 
     def check_parameters(self) -> dict[str, Any]:
         check_display(self.files.plot)

@@ -88,13 +88,13 @@ class MeshJob(Job):
                 raise Error(f"{taking}: takes tetrahedra, which --surface-only goes without")
 
     def goes_without_cells(self) -> bool:
-        """Whether nothing is written that has tetrahedra, or tells of them."""
+        """Whether nothing is written that has tetrahedra, or depends on them."""
         files = self.files
         tells = files.hull or files.plot or files.report or self.options.json
         return self.settings.surface_only or ending(files.output or "") in WRITABLE_SURFACES and not tells
 
     def check_plane(self) -> None:
-        """Raise `Error` for files that cannot hold what is in a plane."""
+        """Raise `Error` for files that cannot hold planar results."""
         refuse_page_of_plane(self.files.plot)
         for path in filter(None, (self.files.output, self.files.hull, self.files.boundary, self.files.outliers)):
             (check_holds_lines if ending(path) in WRITABLE_SURFACES else check_holds_triangles)(path)
@@ -123,7 +123,7 @@ class MeshJob(Job):
             raise Error(f"{self.files.name()}: nothing is inside, w ranges from {least:.6g} to {most:.6g}")
 
     def write(self, surface: vtkPolyData, result: Tetrahedralization) -> None:
-        """Write what was asked for; when nothing is inside, the hull and the picture alone."""
+        """Write the requested files; if nothing is inside, only the hull and the picture."""
         began = time.monotonic()
         self.bars.show(WRITING, 0)
         for kind, data, path, write in self.files_to_write(result):
@@ -139,7 +139,7 @@ class MeshJob(Job):
             self.bars.show(DRAWING, 0)
             marks = {name: getattr(self.settings, name) for name in CHECK_OPTIONS}
             work_on(self.files.plot)
-            # Where the solid is cells of the hull it need not be written twice.
+            # If the solid is cells of the hull it need not be written twice.
             solid = result.solid if self.settings.refines() or self.settings.parts() else None
             title = os.path.basename(self.files.name())
             draw(surface, result.hull, self.files.plot, solid=solid, title=title, up=up_of(self.files.surface), **marks)

@@ -45,7 +45,7 @@ _NO_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def write_3mf(surface: vtkPolyData) -> tuple[bytes, list[str]]:
-    """The content of a file, and what it does not hold. Raises `Error` without its name."""
+    """The content of a file, and warnings of data that it cannot hold. Raises `Error` without its name."""
     groups = Groups(surface, "3MF")
     a, b, c = groups.triangles.T
     whole = (a != b) & (b != c) & (c != a)
@@ -53,7 +53,7 @@ def write_3mf(surface: vtkPolyData) -> tuple[bytes, list[str]]:
     left_out = int(np.count_nonzero(~whole))
     warnings = [f"{left_out} triangles with a corner twice are left out, which 3MF does not hold"] if left_out else []
     file = io.BytesIO()
-    # The fastest: the default takes twice as long to write a million triangles, for few bytes.
+    # The fastest compression: the default takes twice as long to write a million triangles, for few bytes.
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
         archive.writestr(zipfile.ZipInfo("[Content_Types].xml"), _TYPES)
         archive.writestr(zipfile.ZipInfo(RELATIONSHIPS_PART), _RELATIONSHIPS)
