@@ -150,7 +150,7 @@ def _memory_suffices_for(*inputs: Optional[vtkDataObject]) -> bool:
 
 
 def statistics_of(data: vtkDataObject) -> Statistics:
-    """The figures that a filter put into the field data, by name; counts are ints."""
+    """The statistics in the field data of a filter's output, by name; counts are ints."""
     field_data = data.GetFieldData()
     statistics = Statistics()
     values, names = field_data.GetArray(STATISTICS), strings_of(field_data.GetAbstractArray(STATISTICS_NAMES))
@@ -192,7 +192,7 @@ def add_statistic(name: str, value: float, data: vtkDataObject) -> None:
 
 
 def strings_of(array: Any) -> list[str]:
-    """What a vtkStringArray holds; of an array as .vtu files have it the names of its components; nothing of None."""
+    """The strings of a vtkStringArray; for an array from a .vtu file the names of its components; empty for None."""
     if isinstance(array, vtkStringArray):
         return [array.GetValue(index) for index in range(array.GetNumberOfValues())]
     return [] if array is None else [array.GetComponentName(index) or "" for index in range(array.GetNumberOfComponents())]
@@ -216,7 +216,7 @@ _PROGRESS, _WARNING, _ERROR, _REQUEST_FAILED = range(4)
 
 _ListenerFunction = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_int, ctypes.c_char_p, ctypes.c_double)
 
-# The library behind the wrapped classes, called with the interpreter's lock let go and held.
+# The library behind the wrapped classes, called with the interpreter's lock released or held.
 _unlocked, _locked = ctypes.CDLL(_classes.__file__), ctypes.PyDLL(_classes.__file__)
 for _library in (_unlocked, _locked):
     _library.vtkInsideOutUpdate.argtypes = [ctypes.c_void_p, ctypes.c_int, _ListenerFunction]
@@ -232,7 +232,7 @@ before_end_at_once(_unlocked.vtkInsideOutRemoveUnfinishedFiles)
 
 
 def set_threads(number: int) -> None:
-    """How many threads the filters take in this thread of Python from now on, at least 1. They warn where it is too many."""
+    """Set the number of threads of filters in this thread of Python, at least 1. They warn if it is too large."""
     try:
         _locked.omp_set_num_threads(ctypes.c_int(min(number, 2**31 - 1)))
     except AttributeError:
@@ -270,7 +270,7 @@ class _Listener:
 
     def raise_error(self, harmless: tuple[str, ...] = ()) -> None:
         """Raise the first error that does not begin with one of `harmless`."""
-        # That a request failed, which is all the executive knows, counts only if nobody says why.
+        # A failed request, which is all that the executive reports, counts only without another error.
         for error in self.messages[_ERROR] or self.messages[_REQUEST_FAILED]:
             if not error.startswith(harmless):
                 raise Error(error)
@@ -299,7 +299,7 @@ class _Listener:
 def _update(algorithm: vtkAlgorithm, listener: _Listener) -> None:
     writes = isinstance(algorithm, (vtkWriter, vtkXMLWriter))
     if writes:
-        algorithm.Modified()  # or it would not write a second time
+        algorithm.Modified()  # otherwise it would not write a second time
     library = _locked if _may_call_python(algorithm) else _unlocked
     library.vtkInsideOutUpdate(_address(algorithm, "vtkAlgorithm"), writes, listener.function)
 
@@ -309,7 +309,7 @@ def _address(thing: vtkObject, kind: str) -> int:
 
 
 def _may_call_python(algorithm: vtkAlgorithm) -> bool:
-    """Whether VTK might call Python while the algorithm, or one upstream of it, works: it does not take the lock first."""
+    """Whether VTK might call Python while the algorithm, or one upstream of it, runs: it does not take the lock first."""
     events = ("AnyEvent", "StartEvent", "EndEvent", "ProgressEvent", "ErrorEvent", "WarningEvent", "ModifiedEvent")
     if algorithm.IsA("vtkPythonAlgorithm") or any(algorithm.HasObserver(event) for event in events):
         return True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Places at which a winding number is wanted, as files: tables of coordinates and images."""
+"""Query points of winding numbers as files: tables of coordinates and images."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FOUND = ("w", "inside", "distance")
 
 
 class Places(Protocol):
-    """Places that were read, which can be written again with what was found there."""
+    """Query points that were read, and can be written again with results."""
 
     data: vtkDataSet
     """Its points are the places."""

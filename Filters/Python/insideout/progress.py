@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command shows while it works: a bar per stage, or a line per stage where no one watches."""
+"""The progress that the command shows: a bar per stage on a terminal, else a line per stage."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class StageBars:
         self._percent = -1
 
     def show(self, stage: str, fraction: float) -> None:
-        """A stage has come so far (0 to 1). The stage shown before is finished when this is another."""
+        """Report the progress (0 to 1) of a stage. A new stage finishes the previous one."""
         if stage != self._stage:
             self.finish()
             self._stage, self._begin, self._percent = stage, time.monotonic(), -1
@@ -41,7 +41,7 @@ class StageBars:
         if self._stage is not None:
             seconds = f"{time.monotonic() - self._begin:.1f} s"
             start = "\r" if self._redraws else ""
-            # As wide as a bar with its percentage, so that nothing of it is left.
+            # As wide as a bar with its percentage, to overwrite all of it.
             self._write(f"{start}{self._stage:{NAME_WIDTH}} {seconds:<{BAR_WIDTH + 8 if self._redraws else 0}}\n")
             self._stage = None
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`check_solid`: what is wrong with tetrahedra, and how good they are."""
+"""`check_solid`: the defects of tetrahedra, and their quality."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .solids import AnySolid, as_solid
 from .statistics import Statistics
 from .vtkFiltersInsideOut import vtkSolidQuality
 
-# What matters comes first.
+# Most important first.
 SOLID_DEFECTS = (
     Defect(*("NegativeCells", "negative cell", "negative cells"), "their points run the wrong way, or they are turned inside out: solvers refuse them", True),
     Defect(*("FlatCells", "flat cell", "flat cells"), "they have no volume, exactly: solvers divide by it", True),
@@ -49,7 +49,7 @@ SOLID_DEFECTS = (
 
 @dataclass(frozen=True, repr=False)
 class SolidCheck(MeshResult):
-    """What `check_solid` found. The VTK class vtkSolidQuality describes the arrays and statistics."""
+    """The result of `check_solid`. The VTK class vtkSolidQuality describes the arrays and statistics."""
 
     solid: Union[Tetrahedra, LayeredCells]
     """The solid with the quality of each cell. Its field data are what was measured, and not what it had."""
@@ -129,7 +129,7 @@ def solid_verdict(statistics: Mapping[str, float]) -> str:
 
 
 def topology_rows(statistics: Mapping[str, float]) -> list[tuple[str, str]]:
-    """How the solid hangs together, in words; nothing where cells do not fit together."""
+    """The solid's topology in words; empty for a non-conforming one."""
     if "SolidComponents" not in statistics:
         return []
     parts = []
@@ -141,7 +141,7 @@ def topology_rows(statistics: Mapping[str, float]) -> list[tuple[str, str]]:
 
 
 def quality_rows(statistics: Mapping[str, float]) -> list[tuple[str, str]]:
-    """The figures in words: what, and how much."""
+    """The figures in words: name and value."""
     least, one_percent, largest = (statistics[name] for name in ("MinDihedralAngle", "DihedralAngle1Percent", "MaxDihedralAngle"))
     rows = [
         ("dihedral angles", f"{least:.3g} to {largest:.4g} degrees, 1 % of them up to {one_percent:.3g}"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`winding_number`, `inside`, `distance` and `voxels`: where places are with respect to a surface, without meshing it."""
+"""`winding_number`, `inside`, `distance` and `voxels`: queries of places relative to a surface, without a mesh."""
 
 from __future__ import annotations
 

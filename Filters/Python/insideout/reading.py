@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`read`: what a file holds. The ending of its name says what that is."""
+"""`read`: the content of a file. The ending of its name is its format."""
 
 from __future__ import annotations
 

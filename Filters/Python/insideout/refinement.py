@@ -30,7 +30,7 @@ SIZES = "insideout.sizes"
 
 @dataclass(frozen=True, repr=False)
 class Refinement(MeshResult):
-    """What `refine` made. The VTK class vtkRefineTetrahedra describes the arrays."""
+    """The result of `refine`. The VTK class vtkRefineTetrahedra describes the arrays."""
 
     solid: Tetrahedra
     """Other tetrahedra of the same solid, with the data of the ones they come from."""

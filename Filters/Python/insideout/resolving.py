@@ -20,7 +20,7 @@ from .vtkFiltersInsideOut import vtkResolveSelfIntersections, vtkRobustTriangula
 
 @dataclass(frozen=True, repr=False)
 class Resolution(MeshResult):
-    """What `resolve` made. The VTK class vtkResolveSelfIntersections describes the arrays."""
+    """The result of `resolve`. The VTK class vtkResolveSelfIntersections describes the arrays."""
 
     surface: Union[TriangleSurface, Polylines]
     """The same surface in triangles of which no two meet except in shared points and edges; of lines, the same in lines."""
@@ -68,7 +68,7 @@ def resolve(
     options = options.measured_on(polygons)
     resolver: Any = options.set_on(vtkResolveSelfIntersections())
     are_lines = polygons.GetNumberOfPolys() + polygons.GetNumberOfStrips() == 0 < polygons.GetNumberOfLines()
-    if are_lines:  # they are cut on the way to triangles; what these enclose does not matter
+    if are_lines:  # they are cut on the way to triangles; the enclosed region does not matter
         resolver = options.set_on(vtkRobustTriangulate())
         resolver.SetOrientation(resolver.AS_GIVEN)
         resolver.GenerateHullOn()

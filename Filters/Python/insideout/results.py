@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the results of all functions have in common: they can be pickled, copied, measured and drawn, and show themselves in a line or a table."""
+"""Common behavior of all results: they can be pickled, copied, measured and drawn, and print as a line or a table."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Result:
         return f"<{type(self).__name__}: {' '.join(words.split())}>"
 
     def _repr_html_(self) -> str:
-        """What a notebook shows: a table, and a picture where one can be drawn."""
+        """The representation in a notebook: a table, and a picture if there is one."""
         rows = "".join(
             f"<tr><td>{html.escape(what)}</td><td>{html.escape(how_much)}</td></tr>" for what, how_much in self.figures()
         )
@@ -89,16 +89,16 @@ class MeshResult(Result):
 
     @property
     def is_watertight(self) -> bool:
-        """Whether the boundary, or the surface, has no open edge: each is run along as often one way as the other."""
+        """Whether the boundary, or the surface, has no open edge: each has equally many triangles in both directions."""
         return bool(self._first_of("boundary", "surface", "solid").is_watertight)
 
     @property
     def components(self) -> int:
-        """How many parts the solid has that faces connect; where there is none how many the surface has that edges connect."""
+        """The number of the solid's parts, connected through faces, or else of the surface's, connected through edges."""
         return int(self._first_of("solid", "boundary", "surface").components)
 
     def split(self) -> list[Any]:
-        """These parts, as data sets of their own with all arrays."""
+        """These parts, as separate data sets with all arrays."""
         return list(self._first_of("solid", "boundary", "surface").split())
 
     def to_pyvista(self) -> Any:

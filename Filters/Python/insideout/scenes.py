@@ -73,7 +73,7 @@ FAINT = 0.3
 
 @dataclass
 class Panel:
-    """What one panel shows."""
+    """The content of one panel."""
 
     props: list[vtkProp]
     over: list[vtkProp] = field(default_factory=list)  # seen through everything
@@ -81,7 +81,9 @@ class Panel:
 
 
 def kinds_of_facets(marked: vtkPolyData) -> NDArray[np.uint8]:
-    """As which of `FACETS` each facet of a checked surface is drawn: it is sound, meets others, faces the wrong way, or is there twice."""
+    """For each facet of a checked surface its kind in `FACETS`: sound, meeting others, facing the wrong way, or a
+    duplicate.
+    """
     kinds = np.zeros(marked.GetNumberOfCells(), np.uint8)
     for kind, name in enumerate(("SelfIntersections", "Turned", "Duplicate"), 1):
         kinds[vtk_to_numpy(marked.GetCellData().GetArray(name)) > 0] = kind
@@ -147,7 +149,7 @@ BEFORE_ITSELF = 1e-4
 
 
 def is_seen(locator: vtkStaticCellLocator, point: NDArray[np.float64], view: View) -> bool:
-    """Whether no facet is between a point and the eye."""
+    """Whether a point is visible: no facet is between it and the eye."""
     eye = point + view.distance * view.eye
     start = point + BEFORE_ITSELF * (eye - point)
     hit, cell = [0.0, 0.0, 0.0], mutable(0)
@@ -171,7 +173,7 @@ def boundary_panel(solid: vtkUnstructuredGrid) -> Panel:
 
 
 def slices_panel(solid: vtkUnstructuredGrid, view: View) -> Panel:
-    """As a hot dog is cut: every other of equal slices, from left to right."""
+    """Every other of equal slices, from left to right."""
     count = f"every other of {2 * SLICES - 1} slices"
     slices = actor(some_slices(solid, view.right), SOLID, edge_colour=EDGES)
     return Panel([slices, title("Its tetrahedra, in slices"), words(count, 0.085)])

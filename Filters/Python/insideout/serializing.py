@@ -28,7 +28,7 @@ class Plain:
 
 
 def packed(data: Any) -> dict[str, Any]:
-    """All that a vtkPolyData, or a vtkUnstructuredGrid without polyhedra, holds, in arrays."""
+    """The content of a vtkPolyData, or a vtkUnstructuredGrid without polyhedra, as arrays."""
     points = data.GetPoints()
     content: dict[str, Any] = {"Points": None if points is None else _packed_array(points.GetData())}
     if isinstance(data, vtkPolyData):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solids out of whatever holds tetrahedra."""
+"""Solids from all types of tetrahedra."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ algorithm, or an output port of one, which is updated."""
 
 
 def as_solid(solid: AnySolid) -> tuple[vtkUnstructuredGrid, list[str]]:
-    """The solid as VTK holds it, and what was passed over on the way. Raises `Error` for what is none."""
+    """The solid as VTK holds it, and warnings of skipped data. Raises `Error` for anything else."""
     try:
         return _as_solid(solid)
     except MemoryError:
@@ -88,7 +88,7 @@ def make_solid(points: ArrayLike, cells: ArrayLike) -> Tetrahedra:
 
 
 def _solid_of_meshio(mesh: Any) -> tuple[Tetrahedra, list[str]]:
-    """The tetrahedra of a meshio.Mesh, and how many other cells there are."""
+    """The tetrahedra of a meshio.Mesh, and the number of other cells."""
     chosen = [np.asarray(block.data)[:, :4] for block in mesh.cells if block.type in ("tetra", "tetra10")]
     others = sum(len(block.data) for block in mesh.cells if block.type not in ("tetra", "tetra10"))
     if not chosen:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The names under which the work reports its progress, in this order and with an equal share of it each."""
+"""The names of stages in progress reports, in order; each has an equal share of the progress."""
 
 VALIDATING = "validating"
 FINDING = "finding self-intersections"

@@ -37,7 +37,7 @@ def group_of(name: str) -> str:
 
 
 class Statistics(Dict[str, float]):
-    """A dict of figures by their names, which is printed by groups."""
+    """A dict of figures by name, printed by groups."""
 
     @property
     def groups(self) -> dict[str, dict[str, float]]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The result in words: what was wrong with the surface, sizes and times."""
+"""The result in words: the surface's defects, sizes and times."""
 
 from __future__ import annotations
 
@@ -67,14 +67,14 @@ def tetrahedralizer(statistics: Mapping[str, float]) -> Optional[str]:
 
 
 def _cells(statistics: Mapping[str, float]) -> list[str]:
-    """How many tetrahedra there are, if any were made."""
+    """The number of tetrahedra, if any were made."""
     if "InsideCells" not in statistics:
         return ["  the surface is closed: its boundary was found without tetrahedra"]
     return [f"  {_count(statistics['InsideCells'])} tetrahedra inside, of {_count(statistics['HullCells'])} in the convex hull"]
 
 
 def _made_by(statistics: Mapping[str, float]) -> list[str]:
-    """What made the tetrahedra, and what it had to add."""
+    """The engine of the tetrahedra, and the points that it added."""
     if "SteinerPoints" not in statistics:
         return []
     points, on_surface = (_count(statistics[key]) for key in ("SteinerPoints", "SurfaceSteinerPoints"))
@@ -129,7 +129,7 @@ def _refined_triangles(statistics: Mapping[str, float]) -> list[str]:
 
 
 def _parted(statistics: Mapping[str, float]) -> list[str]:
-    """Where the solid was given copies of points or cells, if that was asked for."""
+    """The copied points or cells of the solid, if copying was requested."""
     lines = []
     if "Overlaps" in statistics:
         separated, overlaps, cells = (_count(statistics[key]) for key in ("SeparatedOverlaps", "Overlaps", "CopiedCells"))
@@ -161,7 +161,7 @@ def _topology(statistics: Mapping[str, float]) -> list[str]:
 
 
 def _scaled(statistics: Mapping[str, float]) -> list[str]:
-    """By what the coordinates were multiplied, if they were."""
+    """The factor of the coordinates, if any."""
     return [] if statistics["Scale"] == 1 else [f"  coordinates multiplied by {statistics['Scale']:g}"]
 
 
@@ -179,12 +179,12 @@ def _regions(volumes: Sequence[float], names: Sequence[str]) -> list[str]:
 
 
 def _tags(tags: Mapping[str, int]) -> list[str]:
-    """How many triangles of the boundary have each tag, if the surface says anything about it."""
+    """The number of boundary triangles with each tag, if the surface has tags."""
     return [] if set(tags) <= {"surface"} else [f"  tags {_first(f'{name} {count:,}' for name, count in tags.items())}"]
 
 
 def _first(words: Iterable[str]) -> str:
-    """A list of which the first are told."""
+    """A list, of which only the first items are printed."""
     every = list(words)
     return ", ".join(every[:MOST_LISTED]) + (f" and {len(every) - MOST_LISTED:,} more" if len(every) > MOST_LISTED else "")
 
@@ -260,7 +260,7 @@ def _planar_summary(name: str, statistics: Mapping[str, float], areas: Sequence[
 
 
 def seams(statistics: Mapping[str, float]) -> list[str]:
-    """That the boundary does not tell points apart which are copies for textures' seams."""
+    """A note that the boundary does not distinguish copied points at textures' seams."""
     copies = int(statistics.get("SeamPoints", 0))
     merged = f"{copies:,} points, copies of others with other texture coordinates or normals, were merged with these"
     return [f"{merged}; --split-seams keeps them all"] if copies > 0 else []
@@ -345,7 +345,7 @@ def boolean_summary(names: Sequence[str], expression: str, statistics: Mapping[s
 
 
 def table(jobs: Sequence[tuple[str, Mapping[str, float], str]], done: int, wanted: int) -> list[str]:
-    """A line per surface, given its file, statistics and result in words; and how many were done."""
+    """A line per surface, with its file, statistics and result in words; and the number of successes."""
     columns = [key for key in COLUMNS if any(key in statistics for _, statistics, _ in jobs)]
     widths = [max(11, len(COUNTS[key])) for key in columns]
     width = max(len(file) for file, _, _ in jobs)
@@ -364,7 +364,7 @@ def table(jobs: Sequence[tuple[str, Mapping[str, float], str]], done: int, wante
 
 
 def _reasons(statistics: Mapping[str, float]) -> str:
-    """Why facets are outliers, with how many of each; empty when there are none."""
+    """The reasons why facets are outliers, with counts; empty without outliers."""
     reasons = [f"{_count(statistics[key])} {words}" for key, words in OUTLIERS if statistics.get(key, 0) > 0]
     return f" ({', '.join(reasons)})" if reasons else ""
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces out of whatever holds triangles."""
+"""Surfaces from all types of triangles."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class PolyData(Protocol):
 
 
 class Trimesh(Protocol):
-    """A trimesh.Trimesh, or whatever else has `vertices` (n, 3) and `faces` (m, 3)."""
+    """A trimesh.Trimesh, or any object with `vertices` (n, 3) and `faces` (m, 3)."""
 
     @property
     def vertices(self) -> Any: ...
@@ -79,7 +79,9 @@ _POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}
 
 
 def as_surface(surface: AnySurface, scale: float = 1) -> tuple[vtkPolyData, list[str]]:
-    """The surface as VTK holds it, its coordinates multiplied, and what was passed over on the way. Raises `Error` for what is none."""
+    """The surface as VTK holds it, its coordinates multiplied, and warnings of skipped data. Raises `Error` for
+    anything else.
+    """
     try:
         polygons, warnings = _as_surface(surface)
         return (polygons if scale == 1 else _scaled(polygons, scale)), warnings
@@ -138,7 +140,7 @@ def _surface_of_open3d(mesh: Any) -> tuple[TriangleSurface, list[str]]:
 
 
 def _surface_of_stl(mesh: Any) -> tuple[TriangleSurface, list[str]]:
-    """Each triangle has points of its own; those with equal coordinates are one later."""
+    """Each triangle has its own points; equal coordinates are merged later."""
     corners = np.asarray(mesh.vectors)
     if corners.ndim != 3 or corners.shape[1:] != (3, 3):
         raise Error(f"vectors is {' x '.join(map(str, corners.shape))}; it must have three points for each triangle")
@@ -172,7 +174,7 @@ def _add_arrays(arrays: Mapping[str, ArrayLike], data: vtkDataSetAttributes) -> 
 
 
 def _surface_of_meshio(mesh: Any) -> tuple[TriangleSurface, list[str]]:
-    """The polygons of a meshio.Mesh with their data, and how many other cells there are."""
+    """The polygons of a meshio.Mesh with their data, and the number of other cells."""
     chosen = [k for k, block in enumerate(mesh.cells) if block.type.startswith(tuple(_POLYGONS))]
     others = sum(len(block.data) for k, block in enumerate(mesh.cells) if k not in chosen)
     if not chosen:

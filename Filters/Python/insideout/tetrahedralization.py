@@ -46,7 +46,7 @@ class Region:
 
 @dataclass(frozen=True, repr=False)
 class Tetrahedralization(MeshResult):
-    """What `tetrahedralize` found. The VTK class vtkRobustTetrahedralize describes the arrays.
+    """The result of `tetrahedralize`. The VTK class vtkRobustTetrahedralize describes the arrays.
 
     In two dimensions solid and hull are `Triangles`, boundary and outliers `Polylines`.
     """
@@ -78,7 +78,7 @@ class Tetrahedralization(MeshResult):
         return verdict(self.statistics)
 
     def is_planar(self) -> bool:
-        """Whether it has two dimensions."""
+        """Whether it is two-dimensional."""
         return isinstance(self.hull, Triangles)
 
     @property
@@ -104,7 +104,7 @@ class Tetrahedralization(MeshResult):
 
     @property
     def bodies(self) -> dict[str, float]:
-        """The volumes of the bodies by their names, each as if it were alone; before any refinement. Empty without bodies."""
+        """The volumes of the bodies by name, each body alone, before any refinement. Empty without bodies."""
         names, volumes = (self.hull.GetFieldData().GetAbstractArray(name) for name in ("BodyNames", "BodyVolume"))
         return {} if volumes is None else dict(zip(strings_of(names), vtk_to_numpy(volumes).tolist()))
 

@@ -45,7 +45,7 @@ def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
 
 
 def in_few_lines(lines: Sequence[str], most: int = MOST_LINES) -> list[str]:
-    """At most `most` lines: the last one joins all that follow it."""
+    """At most `most` lines: the last one summarizes all others."""
     return [*lines] if len(lines) <= most else [*lines[: most - 1], "; ".join([lines[most - 1], *(line.strip() for line in lines[most:])])]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From where the pictures see a surface."""
+"""The cameras of pictures of a surface."""
 
 from __future__ import annotations
 
@@ -77,13 +77,13 @@ class View:
         self._look_from(1)
 
     def from_behind(self) -> View:
-        """The same from the opposite side, from above, too."""
+        """The opposite camera, from above, too."""
         other = copy.copy(self)
         other._look_from(-1)
         return other
 
     def _look_from(self, side: int) -> None:
-        # A little from the side and from above, so that depth is seen.
+        # A camera a little from the side and from above, so that depth is visible.
         eye = side * (self.slice_normal + 0.35 * self.right) + 0.25 * self.up
         self.eye = eye / np.linalg.norm(eye)
         self.size = self._size_on_screen(self._bounds)

@@ -27,7 +27,7 @@ DIGITS = 4
 
 
 class Place(NamedTuple):
-    """Where something is wrong."""
+    """The place of a defect."""
 
     statistic: str  # that counts the like
     text: str
