@@ -4,8 +4,9 @@
     write-options.py declared FILTERS declared.py
     write-options.py signatures OPTIONS.py IN.py OUT.py
 
-FILTERS is the folder of the headers. In IN.py a comment "# All fields of CLASS." among the parameters of a function is replaced by
-the fields of this class of OPTIONS.py. These include the fields of its base classes, with their types and defaults.
+FILTERS is the folder of the headers. In IN.py a comment "# All fields of CLASS." among the parameters of a function
+is replaced by the fields of this class of OPTIONS.py. These include the fields of its base classes, with their types
+and defaults.
 """
 
 from __future__ import annotations

@@ -82,7 +82,7 @@ class Laws(unittest.TestCase):
                     self.assertLessEqual(np.abs(np.diff(grid.distance, axis=axis)).max(), step * (1 + 1e-12))
 
     def test_values_are_those_at_points_one_by_one(self):
-        """Enough points for neighbors to share a search, and for more than one box of them, with padding on all sides."""
+        """Enough points for shared searches, and for more than one box of them, with padding on all sides."""
         surface = two_spheres()
         grid = insideout.sdf_grid(surface, shape=(70, 36, 35), to="surface")
         self.assertEqual(grid.distance.shape, (70, 36, 35))

@@ -74,7 +74,7 @@ def check(
     merge_tolerance: Optional[Length] = None,
     progress: Optional[Progress] = None,
 ) -> Check:
-    """Find the defects of a surface, or of lines in a plane. Nothing is changed or cut; facets to be turned over are marked.
+    """Find the defects of a surface, or of lines in a plane. Nothing is changed; facets to be turned over are marked.
 
     surface   any type of surface that `insideout` accepts: a vtkPolyData, a file's name, a pair (points, triangles) ...
     progress  called with the stage and the fraction of all the work that is done

@@ -22,7 +22,7 @@ def point_cloud(points: ArrayLike, normals: ArrayLike, areas: Optional[ArrayLike
 
     points   an array with three columns
     normals  the same, outward, of any length but 0
-    areas    the area that each point represents, in squared units, at least 0; estimated from its neighbors where it is None
+    areas    the area that each point represents, in squared units, at least 0; estimated if it is None
 
     Raises `Error` if their numbers differ. Invalid values are reported when the cloud is used.
     """

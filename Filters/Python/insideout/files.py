@@ -167,7 +167,7 @@ def _read_objects(path: str, kind: str) -> tuple[vtkPolyData, list[str]]:
 
 
 def _false_names(path: str, kind: str) -> Iterator[str]:
-    """A warning if a file's name contradicts its content; vtkSurfaceReader gives the same for the files that it reads."""
+    """A warning if a file's name contradicts its content; vtkSurfaceReader gives the same for its files."""
     name = os.path.basename(path)
     if _is_compressed(path) and ending(path) != GZIP:
         yield f"{name}: is compressed with gzip, but its name does not end in .gz"

@@ -62,7 +62,7 @@ def _edges(triangles: Ids) -> tuple[Ids, NDArray[np.bool_]]:
 
 
 def labels_of_parts(cells: Ids) -> Ids:
-    """The number of each cell's part: cells that share a side are connected. Parts are numbered by their first cells."""
+    """The number of each cell's part, connected through sides. Parts are numbered by their first cells."""
     corners = cells.shape[1]
     sides = np.array([[k for k in range(corners) if k != left_out] for left_out in range(corners)])
     rows = np.sort(cells[:, sides].reshape(-1, corners - 1), axis=1)

@@ -89,7 +89,7 @@ class Scene:
 
     def _add_surface(self) -> None:
         kinds = kinds_of_facets(self.marked)
-        # Of the facets at one place the first is drawn: a duplicate before the facet that it repeats.
+        # The first of several facets at one place is drawn: a duplicate before the facet that it repeats.
         triangles, order = rows_by_least(corners_of(self.marked.GetPolys(), 3), len(FACETS) - kinds)
         self.add("surfacePoints", "floats", self._places(self.marked))
         self.add("surface", "ids", relative(triangles))

@@ -309,7 +309,7 @@ def _address(thing: vtkObject, kind: str) -> int:
 
 
 def _may_call_python(algorithm: vtkAlgorithm) -> bool:
-    """Whether VTK might call Python while the algorithm, or one upstream of it, runs: it does not take the lock first."""
+    """Whether VTK might call Python, without its lock, while the algorithm or one upstream of it runs."""
     events = ("AnyEvent", "StartEvent", "EndEvent", "ProgressEvent", "ErrorEvent", "WarningEvent", "ModifiedEvent")
     if algorithm.IsA("vtkPythonAlgorithm") or any(algorithm.HasObserver(event) for event in events):
         return True

@@ -89,12 +89,12 @@ class MeshResult(Result):
 
     @property
     def is_watertight(self) -> bool:
-        """Whether the boundary, or the surface, has no open edge: each has equally many triangles in both directions."""
+        """Whether each edge of the boundary, or the surface, has equally many triangles in both directions."""
         return bool(self._first_of("boundary", "surface", "solid").is_watertight)
 
     @property
     def components(self) -> int:
-        """The number of the solid's parts, connected through faces, or else of the surface's, connected through edges."""
+        """The number of the solid's parts, connected through faces, or else of the surface's, through edges."""
         return int(self._first_of("solid", "boundary", "surface").components)
 
     def split(self) -> list[Any]:
