@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""check-texts.py complains of each habit in pages and in headers' comments, and of nothing else."""
+"""check-texts.py complains of each habit in pages, comments and docstrings, and of nothing else."""
 
 import runpy
 import subprocess
@@ -12,7 +12,8 @@ SCRIPT = Path(__file__).resolve().parent / "check-texts.py"
 check = runpy.run_path(str(SCRIPT))["check"]
 
 THIRTY = " ".join(["word"] * 30)
-PAGE, HEADER = "Filters/Core/Upper/README.md", "Filters/Core/Upper/Tower.h"
+PAGE, HEADER, SOURCE = "Filters/Core/Upper/README.md", "Filters/Core/Upper/Tower.h", "Testing/Cxx/TestTower.cxx"
+MODULE, SCRIPT_OF_SHELL, LISTS = "Filters/Python/tower.py", "Testing/tower.sh", "Filters/CMakeLists.txt"
 
 KEPT = (
     "A tower of stones.",
@@ -37,6 +38,10 @@ BROKEN = (
     ("- What they were\n  is dust.", 'begins with "What ... is"'),
     ("Stairs of so many steps.", 'says "so many"'),
     ("It is counted So often.", 'says "so many" or "so often"'),
+    ("Names parted by commas.", 'says "parted by"'),
+    ("A node amid the edge.", 'says "parted by" or "amid"'),
+    ("The centre of a tower.", "is not in American spelling"),
+    ("Coloured stones.", "is not in American spelling"),
     (f"{THIRTY} word.", "has 31 words: at most 30"),
     (f"{THIRTY}\nword `code`.", "has 32 words"),
     (f"| tower | {THIRTY} word |", "has 31 words"),
@@ -49,16 +54,29 @@ class TestTextRules(unittest.TestCase):
             file = Path(folder, name)
             file.parent.mkdir(parents=True)
             file.write_text(text, encoding="utf-8")
-            found = check(Path(folder))
-            run = subprocess.run([sys.executable, SCRIPT, folder], capture_output=True, text=True, check=False)
-        self.assertEqual((run.returncode, run.stdout.splitlines()), (1 if found else 0, found))
-        return found
+            return check(Path(folder))
 
     def documents(self, text: str) -> list[tuple[str, str, int]]:
         """The text on a page and in comments, with the line that it begins in."""
         lines = "\n".join(f" * {line}" for line in text.split("\n"))
-        found = [(PAGE, f"{text}\n", 1), (HEADER, f"#pragma once\n/**\n{lines}\n */\nint Height();\n", 3)]
-        return found if "\n" in text or text.startswith(("|", "#", "-")) else [*found, (HEADER, f"int Height; ///< {text}\n", 1)]
+        slashes, hashes = ("\n".join(f"{mark} {line}" for line in text.split("\n")) for mark in ("//", "#"))
+        found = [
+            (PAGE, f"{text}\n", 1),
+            (HEADER, f"#pragma once\n/**\n{lines}\n */\nint Height();\n", 3),
+            (SOURCE, f'#include "//"\n{slashes}\nint Height();\n', 2),
+            (MODULE, f'def height():\n    r"""{text}\n    """\n    return 1\n', 2),
+        ]
+        if text.startswith("#"):
+            return found
+        found += [
+            (MODULE, f"HEIGHT = 1\n{hashes}\nWIDTH = 1\n", 2),
+            (SCRIPT_OF_SHELL, f"#!/bin/sh\n{hashes}\nexit 0\n", 2),
+            (LISTS, f"{hashes}\n", 1),
+        ]
+        if "\n" in text or text.startswith(("|", "-")):
+            return found
+        found += [(HEADER, f"int Height; ///< {text}\n", 1), (SOURCE, f"int Height; // {text}\n", 1)]
+        return [*found, (MODULE, f"HEIGHT = 1  # {text}\n", 1)]
 
     def test_texts_that_keep_the_rules_are_left_in_peace(self):
         for text in KEPT:
@@ -76,10 +94,21 @@ class TestTextRules(unittest.TestCase):
         text = "```sh\n# Of nothing\n```\n\nA tower.\n\nOf stones.\n"
         self.assertTrue(self.complaints(PAGE, text)[0].startswith(f"{PAGE}:7: "))
 
-    def test_code_and_other_comments_are_no_texts(self):
+    def test_the_script_prints_complaints_and_fails(self):
+        for text, status in (("A tower.", 0), ("Of stones.", 1)):
+            with tempfile.TemporaryDirectory() as folder:
+                Path(folder, "README.md").write_text(text, encoding="utf-8")
+                found = check(Path(folder))
+                run = subprocess.run([sys.executable, SCRIPT, folder], capture_output=True, text=True, check=False)
+            self.assertEqual((len(found), run.returncode, run.stdout.splitlines()), (status, status, found))
+
+    def test_code_is_no_text(self):
         self.assertEqual(self.complaints(PAGE, f"```sh\nOf {THIRTY} word\n```\n"), [])
-        self.assertEqual(self.complaints(HEADER, f"// Of {THIRTY} word\nint Height(); // so many\n/* Of */\n"), [])
-        self.assertEqual(self.complaints("Filters/Core/Upper/Tower.cxx", "/** Of stones. */\n"), [])
+        quotes = f'const char* Words = "// Of {THIRTY} word"; char Quote = \'"\'; // A tower.\n'
+        self.assertEqual(self.complaints(SOURCE, quotes), [])
+        self.assertEqual(self.complaints(SOURCE, 'const char* Words = R"(// so many)";\n'), [])
+        self.assertEqual(self.complaints(MODULE, f'"""A tower::\n\n    Of {THIRTY} word\n"""\nWORDS = "# so many"\n'), [])
+        self.assertEqual(self.complaints("Filters/Core/Upper/tower.csv", "# so many\n"), [])
 
 
 if __name__ == "__main__":

@@ -1,22 +1,34 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rules of the texts, in pages and in the comments of headers that document: a sentence puts its subject first, names its
-quantity, and is short.
+"""Rules of the texts, in pages, comments and docstrings: a sentence puts its subject first, names its quantity, is short,
+and has one word for one thing.
 
     python3 check-texts.py [ROOT]
 
 Prints a line for what breaks a rule; the exit status is then 1.
 """
 
+import ast
+import io
 import re
 import sys
+import tokenize
 from collections.abc import Iterator
 from pathlib import Path
 
 MOST_WORDS = 30  # of a sentence, or of the part of one up to a colon or semicolon
-PAGES = ("*.md", "Filters/**/*.md", "Plugin/**/*.md", "Testing/**/*.md", "Examples/**/*.md")
+ROOMS = ("Filters", "Plugin", "Testing", "Examples")
+KINDS = ("*.md", "*.h", "*.cxx", "*.py", "*.sh", "*.cmake", "CMakeLists.txt")
+NO_TEXTS = ("check-texts.py", "TestTextRules.py")  # they quote what they forbid
 
-COMMENT = re.compile(r"/\*\*(?P<block>.*?)\*/|///<?(?P<line>[^\n]*)", re.DOTALL)
+# What C++ has besides comments is matched to be passed over, lest `"//"` begin one.
+COMMENT = re.compile(
+    r"""R"(?P<end>[^(\s]*)\(.*?\)(?P=end)"|(?<!')"(?:\\.|[^"\\\n])*"|/\*+<?(?P<block>.*?)\*/"""
+    r"""|(?P<lines>//[^\n]*(?:\n[ \t]*//[^\n]*)*)""",
+    re.DOTALL,
+)
+CODE_OF_DOCSTRING = re.compile(r"::\n\n(?:[ \t]+[^\n]*\n|\n)+")
+HASHES = re.compile(r"(?:^[ \t]*#(?!!)[^\n]*\n)+", re.MULTILINE)
 # What begins a paragraph of its own: an item, a heading, a quotation, a command of Doxygen's.
 BEGIN = re.compile(r"(?:[-*#>]+|\d+\.|@\w+(?:\[[\w,]+\])?)(?:\s+|$)")
 END = re.compile(r"(?<=[.!?])\s+(?=[A-Z(\d]|vtk|w\b)|(?<=[;:])\s+")
@@ -25,6 +37,8 @@ HABITS = (
     (re.compile(r"\(?Of\b"), 'begins with "Of": put the subject first'),
     (re.compile(r"\(?What\b(?=.*\b(?:is|are|was|were)\b)(?!.*\?$)"), 'begins with "What ... is": name the subject'),
     (re.compile(r".*\bso (?:many|often)\b", re.IGNORECASE), 'says "so many" or "so often": name the quantity'),
+    (re.compile(r".*\b(?:parted by|amid)\b", re.IGNORECASE), 'says "parted by" or "amid": say "separated by" or "mid-edge"'),
+    (re.compile(r".*\b(?:neighbour|centre|colour|behaviour|licence)", re.IGNORECASE), "is not in American spelling"),
 )
 
 
@@ -55,14 +69,35 @@ def sentences_of(paragraph: str) -> list[str]:
 
 
 def texts_of(file: Path) -> Iterator[tuple[int, str]]:
-    """The texts of a page or header, each with the line before its first."""
+    """The texts of a page or source, each with the line before its first."""
     text = file.read_text(encoding="utf-8")
     if file.suffix == ".md":
         yield 0, re.sub(r"^```.*?^```$", lambda block: "\n" * block[0].count("\n"), text, flags=re.MULTILINE | re.DOTALL)
-        return
-    for comment in COMMENT.finditer(text):
-        words = comment["block"] if comment["block"] is not None else comment["line"]
-        yield text.count("\n", 0, comment.start()), re.sub(r"^[ \t]*\*[ \t]?", "", words, flags=re.MULTILINE)
+    elif file.suffix == ".py":
+        yield from texts_of_python(text)
+    elif file.suffix in (".h", ".cxx"):
+        for comment in COMMENT.finditer(text):
+            words = re.sub(r"^[ \t]*(?:\*|///?<?)[ \t]?", "", comment["block"] or comment["lines"] or "", flags=re.MULTILINE)
+            yield text.count("\n", 0, comment.start()), words
+    else:
+        for comment in HASHES.finditer(text):
+            yield text.count("\n", 0, comment.start()), re.sub(r"^[ \t]*#[ \t]?", "", comment[0], flags=re.MULTILINE)
+
+
+def texts_of_python(text: str) -> Iterator[tuple[int, str]]:
+    """Comments, joined from consecutive lines, and docstrings of modules, classes, functions and attributes."""
+    block: list[str] = []
+    first = 0
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type not in (tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT) and block:
+            yield first, "\n".join(block)
+            block = []
+        if token.type == tokenize.COMMENT:
+            first = first if block else token.start[0] - 1
+            block += [""] * (token.start[0] - 1 - first - len(block)) + [token.string.lstrip("#").strip()]
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
+            yield node.lineno - 1, CODE_OF_DOCSTRING.sub(lambda code: ":" + "\n" * code[0].count("\n"), node.value.value)
 
 
 def complaints_about(sentence: str) -> Iterator[str]:
@@ -74,9 +109,12 @@ def complaints_about(sentence: str) -> Iterator[str]:
 
 def check(root: Path) -> list[str]:
     """What breaks a rule, one line each."""
-    pages = {page for pattern in PAGES for page in root.glob(pattern)}
+    patterns = [pattern for kind in KINDS for pattern in (kind, *(f"{room}/**/{kind}" for room in ROOMS))]
+    files = {file for pattern in patterns for file in root.glob(pattern)}
     found = []
-    for file in sorted([*pages, *root.glob("Filters/**/*.h")]):
+    for file in sorted(files):
+        if file.name in NO_TEXTS:
+            continue
         for before, text in texts_of(file):
             for line, paragraph in paragraphs_of(text):
                 for sentence in sentences_of(paragraph):
