@@ -36,6 +36,7 @@ for k in range(colours_of_w().GetSize()):
     points += node[:4]
 w.ColorSpace, w.RGBPoints = "Lab", points
 shown[3].SetScalarBarVisibility(view, True)
+Render(view)
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [3.5, -20, 0.45], [3.5, 0, 0.45], [0, 0, 1]
 view.CameraParallelProjection, view.CameraParallelScale = 1, 4.2
 SetActiveSource(solid)
