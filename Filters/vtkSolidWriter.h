@@ -16,7 +16,7 @@
  * so on, and what is outside "outside"; tags without a name, tag_0, tag_1 and so on.
  *
  * - .msh has a physical group for each region and tag, with its name. Their numbers are RegionId
- *   and BoundaryTag plus 1; of what is outside, the one behind the last.
+ *   and BoundaryTag plus 1; the outside has the number after the last.
  * - .inp has elements C3D4 or C3D10, and C3D6 for prisms, and for pyramids with a corner twice.
  *   Each region has an element set and a node set, each tag a node set and a surface by element
  * face; Eall and Nall are the sets of all.

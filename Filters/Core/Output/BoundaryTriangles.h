@@ -13,8 +13,8 @@ struct BoundaryTriangle
 };
 
 /**
- * The faces with the input triangles that they lie on: of several the lowest that faces outward,
- * else the lowest.
+ * The faces with the input triangles that they lie on. Several input triangles at one face: the
+ * lowest that faces outward, else the lowest.
  *
  * @throws Error Stopped
  */
