@@ -37,7 +37,7 @@ struct CountedEdge
  * The boundary of a chain of triangles: each edge with a signed sum other than zero, once, from its
  * lower to its higher point, sorted by From, then To.
  *
- * @param[in] numberOfPoints that the corners are below
+ * @param[in] numberOfPoints above every corner's number
  */
 std::vector<CountedEdge> CountedBoundary(
   const std::vector<CountedTriangle>& triangles, Id numberOfPoints);
