@@ -47,7 +47,7 @@ enum class DataTerm
 struct GraphCutParameters
 {
   double Gamma = 2;    ///< weight of smoothness against data, at least 0; 0 thresholds at w > 1/2
-  double Sigma = 0.15; ///< noise in w: steps much larger than this cost nothing, above 0
+  double Sigma = 0.15; ///< above 0, noise in w: steps much larger than this cost nothing
   insideout::DataTerm DataTerm = insideout::DataTerm::Uniform;
 };
 

@@ -41,7 +41,7 @@ struct StraightCaps
  *
  * @param[in] surface whose facets say which triangles they are of; without this there are no caps
  * @param[in] points of the chain, below 1 in each coordinate
- * @param[in] chain that the complex counts as, in triangles each of which belongs to a facet
+ * @param[in] chain the complex as counted triangles, each of which belongs to a facet
  * @param[in] boundary of the complex's facets
  */
 StraightCaps FindStraightCaps(const FacetComplex& surface, const std::vector<Point>& points,
