@@ -20,8 +20,8 @@ struct BoundaryOptions
 {
   bool MergePieces = false; ///< of input triangles
   bool SplitSeams = false;
-  bool IsManifold = false; ///< of a parted solid
-  bool TagBodies = false;  ///< tags of the surface on the boundary of bodies, too
+  bool IsManifold = false;                  ///< of a parted solid
+  bool TagBodies = false;                   ///< tags of the surface on the boundary of bodies, too
   std::vector<insideout::TagRule> TagRules; ///< applied after all other tags
 };
 
