@@ -28,9 +28,9 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 WIDTH, HEIGHT = 300, 240  # of a panel
 FRONT, CORNER = (0.25, -1, 0.2), (-1, -0.9, 0.7)
 STEP = 17
-"""Of colors, so that files are small."""
+"""The distance between the colors of a picture: few colors make small files."""
 LENGTH = 0.3
-"""Of edges where the surface is treated in three ways."""
+"""The edge length in the picture of the three treatments."""
 
 
 def save(panels: Sequence[Sequence[vtkActor]], picture: Path, seen_from=FRONT, share: float = 1) -> None:

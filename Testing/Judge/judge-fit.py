@@ -145,7 +145,7 @@ def supports(solid: insideout.Tetrahedra) -> np.ndarray:
 
 
 def wrong_in_analyses(folder: Path, solid: insideout.Tetrahedra) -> list[str]:
-    """What is wrong with a static analysis under the weight, and with frequencies, in millimeters."""
+    """The faults of a static analysis under the weight, and of frequencies, in millimeters."""
     held = supports(solid)
     is_free = np.ones(len(solid.points), bool)
     is_free[held] = False

@@ -471,7 +471,7 @@ class Regions(unittest.TestCase):
 
 
 class ByGeometry(Tags):
-    """Of boxes, whose facets are those of `FACES` in pairs."""
+    """Tags of boxes, whose facets are those of `FACES` in pairs."""
 
     def tags(self, surface, rules, **options) -> list:
         result = insideout.tetrahedralize(surface, tag_rules=rules, **options)

@@ -176,7 +176,7 @@ std::vector<Facet> GapCloser::FacetsOf(const std::vector<Body>& bodies)
   return facets;
 }
 
-/** Of facets as they are, and as they may come to be. */
+/** A box for each facet: around the facet, and around all places that it may move to. */
 std::vector<Box> GapCloser::BoxesOfFacets() const
 {
   std::vector<Box> boxes;

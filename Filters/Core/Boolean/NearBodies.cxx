@@ -18,14 +18,14 @@ namespace insideout
 {
 namespace
 {
-/** So many pairs of bodies are named one by one: nobody reads more. */
+/** At most this many pairs of bodies are named one by one: nobody reads more. */
 constexpr std::size_t MostNamed = 10;
 
 /** Other facets of the two bodies are apart by some more roundings of doubles than those that are
  * found. */
 constexpr double Margin = 16;
 
-/** What is found of two bodies. */
+/** The layers that two bodies have nearly in common. */
 struct Contact
 {
   std::vector<Id> Triangles;
@@ -67,7 +67,7 @@ double DistanceOf(const FacetComplex& surface, Id f, Id g)
   return std::min(LargestHeight(first, second), LargestHeight(second, first));
 }
 
-/** Of layers of two bodies what they tell; an interface is no neighbor of what it is part of. */
+/** Add two layers to the contact of their bodies; an interface is no neighbor of its own bodies. */
 void AddLayers(const ResolvedBodies& bodies, Id f, Id g, Contacts& contacts)
 {
   const FacetComplex& surface = bodies.Surface;

@@ -190,7 +190,7 @@ void BodyResolver::MergeGivenPoints()
   }
 }
 
-/** Of a soup no triangle of which has an area. */
+/** The chain of a soup in which no triangle has an area. */
 CountedChain AllDegenerateChain(const TriangleSoup& soup)
 {
   CountedChain chain;
@@ -643,7 +643,7 @@ void BodyResolver::TellOfNearBodies()
 
 Id BodyResolver::BodyOf(Id chainFacet) const
 {
-  // Of bodies that begin alike all but the last are empty.
+  // Where several bodies begin at one facet, all but the last are empty.
   const auto next = std::upper_bound(this->FirstFacet.begin(), this->FirstFacet.end(), chainFacet);
   return static_cast<Id>(next - this->FirstFacet.begin()) - 1;
 }

@@ -20,7 +20,7 @@ bool IsDigit(char c)
   return c >= '0' && c <= '9';
 }
 
-/** Of a name: letters, digits, underscores, and whatever is not ASCII. */
+/** Whether a name may have this byte: letters, digits, underscores, and whatever is not ASCII. */
 bool IsOfName(char c)
 {
   return IsDigit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||

@@ -21,7 +21,7 @@ struct Fan
   std::vector<Triangle> Pieces;
 };
 
-/** What is around a point that is to go. */
+/** The star of a point that is to go, its segment, and the fans and sectors around it. */
 struct Surroundings
 {
   Id Point;

@@ -21,7 +21,7 @@ constexpr double LeastStep = 1.0 / 16;
 /** Each step is so much shorter than the last. */
 constexpr double StepRatio = 0.9;
 
-/** So many distances to walls are found in the time of a predicate. */
+/** Distances to walls that are found in the time of one predicate. */
 constexpr std::int64_t DistancesPerWork = 8;
 
 /** A way out of a corner is good enough at this angle (its sine) to the walls. */

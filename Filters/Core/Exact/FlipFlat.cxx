@@ -17,8 +17,8 @@ namespace
 constexpr std::size_t FlatFlipsPerCrossing = 8;
 
 /**
- * Find two points of the edge's ring in one plane with it, on its two sides, that are a strictly
- * convex quadrilateral with it, and turn the ring so that it begins with the first.
+ * Find two points of the edge's ring in one plane with the edge, on its two sides. They form a
+ * strictly convex quadrilateral with it. Turn the ring so that it begins with the first.
  * @return the index of the second, 0 where there are none
  */
 std::size_t FindQuadrilateral(const FlippableMesh& mesh, Id u, Id v, EdgeRing& ring)

@@ -26,10 +26,10 @@ using DelaunayCell = CGAL::Triangulation_cell_base_with_info_3<Id, Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
   CGAL::Triangulation_data_structure_3<DelaunayVertex, DelaunayCell>>;
 
-/** So many cells are looked at in the time of one predicate. */
+/** Cells that are looked at in the time of one predicate. */
 constexpr std::int64_t CellsPerWork = 2;
 
-/** And so many, one after the other, in the time that it takes to find one face. */
+/** Cells that are looked at in turn in the time that it takes to find one face. */
 constexpr std::size_t CellsPerSearch = 20;
 } // namespace
 

@@ -8,7 +8,7 @@ namespace insideout
 {
 namespace
 {
-/** Places on a segment are tried with so many binary digits: a double has no more. */
+/** Places on a segment are tried with at most this many binary digits: a double has no more. */
 constexpr int MostDigits = 52;
 
 /** Parts of a segment between whose ends a point is tried. */

@@ -9,7 +9,7 @@ namespace insideout
 SegmentTable::SegmentTable(const std::vector<Triangle>& facets)
 {
   const auto given = std::make_shared<GivenEdges>();
-  // Of edges between the same two vertices the first gives the segment its number.
+  // The first edge between two vertices gives the segment its number.
   struct Side
   {
     std::array<Id, 2> Ends;

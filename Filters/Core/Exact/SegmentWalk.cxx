@@ -67,7 +67,7 @@ Crossing WayOut(const FlippableMesh& mesh, Id a, Id cell, const Cone& cone)
   return Edge(cell, cone.Link[k], cone.Link[(k + 1) % 3]);
 }
 
-/** Of all cells around a the one whose cone b is in. */
+/** The cell around a whose cone contains b. */
 Crossing SearchStar(const FlippableMesh& mesh, Id a, Id b)
 {
   std::vector<Id> star;

@@ -80,7 +80,7 @@ void MoveIntoVolume(ExactState& state, Id first, std::int64_t since)
 void RemovePoints(ExactState& state, Id first, std::int64_t since)
 {
   const FlippableMesh& mesh = state.Mesh;
-  // What failed once is tried again only when something around has changed.
+  // A removal that failed is tried again only when something around the point has changed.
   std::vector<std::int64_t> triedAt(
     static_cast<std::size_t>(mesh.Vertices().Size() - first), since);
   std::size_t tried = 0;

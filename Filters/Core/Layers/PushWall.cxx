@@ -19,7 +19,7 @@ namespace
 constexpr double LeastAngle = 14;
 constexpr double LeastShare = 0.5;
 
-/** Of the edges' length: how far to go at once, so that the wall stays smooth. */
+/** How far to go at once, as a share of the edges' length, so that the wall stays smooth. */
 constexpr double StepOfEdges = 0.5;
 
 /** Halvings of a move that is not possible. */

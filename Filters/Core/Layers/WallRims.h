@@ -13,7 +13,7 @@ namespace insideout
 struct WallRim
 {
   bool IsHeld = false;        ///< it may go nowhere
-  std::vector<Point> Normals; ///< of length 1; none amid the wall, at most two
+  std::vector<Point> Normals; ///< of length 1, at most two; none within the wall
 
   /** The part of a vector that leads along all planes. */
   Point Along(const Point& vector) const;
@@ -32,7 +32,7 @@ struct WallRims
 {
   std::vector<WallRim> AtPoints; ///< per point of the mesh
   std::vector<RimEdge> Edges;
-  std::vector<Id> PointsInPlanes; ///< amid planar parts of the boundary that have a rim
+  std::vector<Id> PointsInPlanes; ///< within planar parts of the boundary that have a rim
 };
 
 /**

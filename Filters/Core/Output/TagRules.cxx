@@ -321,8 +321,8 @@ private:
     return nearest;
   }
 
-  /** Of each triangle the number of its face: what edges join that two triangles share at no larger
-   * angle, or that lie within one facet. */
+  /** The face of each triangle, by number. Triangles of one face are joined by edges that two of
+   * them share at no larger angle, or that lie within one facet. */
   const std::vector<Id>& FacesBetween(double degrees)
   {
     std::vector<Id>& faces = this->Faces[degrees];

@@ -69,7 +69,7 @@ double LengthOf(const Vector<Number>& a)
   return std::sqrt(static_cast<double>(Dot(a, a)));
 }
 
-/** What quality is made of. */
+/** The quantities that quality is computed from. */
 struct Sizes
 {
   std::array<double, 6> Cosines; ///< of TetrahedronEdges: times both faces' areas, doubled
@@ -95,7 +95,7 @@ Sizes SizesOf(const Corners& corners)
   const Vector<Number> ab = Cross(a, b);
   const Vector<Number> bc = Cross(b, c);
   const Vector<Number> ca = Cross(c, a);
-  // Of the faces opposite to each corner, inward; their length is twice the area.
+  // The inward normals of the faces opposite to each corner; their length is twice the area.
   const std::array<Vector<Number>, 4> normals = { Cross(edges[4], edges[1]), bc, ca, ab };
   for (std::size_t e = 0; e < edges.size(); ++e)
   {
@@ -110,7 +110,7 @@ Sizes SizesOf(const Corners& corners)
 }
 
 /** The volume, times six, by the edge where the faces are farthest from parallel: their normals'
- * cross product is the edge times that. Of needles this is good, and a determinant is not. */
+ * cross product is the edge times that. This is accurate for needles, and a determinant is not. */
 double VolumeBySines(const Sizes& sizes)
 {
   double volume = 0;

@@ -14,8 +14,8 @@ namespace
 /** What a cell takes. */
 constexpr double NanosecondsPerCell = 500;
 
-/** Cells are added up in blocks of so many, and then the blocks: the same for any number of
- * threads. */
+/** The cells in a block. Cells are added up within blocks, and then the blocks: the sum is the same
+ * for any number of threads. */
 constexpr std::size_t CellsPerBlock = 1024;
 
 constexpr double DegreesPerBin = 5;

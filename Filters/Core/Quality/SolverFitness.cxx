@@ -121,7 +121,7 @@ double LeastJacobian(
   return least;
 }
 
-/** Of the tetrahedron's edges, or between any two of other corners. */
+/** The longest edge of the tetrahedron, or distance between any two of other corners. */
 template <std::size_t Corners>
 double LongestEdge(const std::array<Point, Corners>& corners)
 {

@@ -99,8 +99,8 @@ bool Collapser::IsCollinear(const Triangle& corners) const
 
 /**
  * The corner opposite the longest edge. Among edges as long as each other it is the same one in
- * every facet, lest the facets split each other's edges in turn. Of collinear corners it is exactly
- * the middle one.
+ * every facet, lest the facets split each other's edges in turn. Where the corners are collinear it
+ * is exactly the middle one.
  */
 int Collapser::ApexOf(const Triangle& corners) const
 {

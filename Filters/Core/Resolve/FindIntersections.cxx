@@ -22,7 +22,7 @@ constexpr Id BlockSize = 256;
 /** A guess, of the time for each. */
 constexpr double NanosecondsPerFacet = 1000;
 
-/** To build a tree for so many pairs of facets is as quick as to look at each. */
+/** For this many pairs of facets, building a tree takes as long as looking at each. */
 constexpr std::size_t ManyPairs = 4096;
 
 /** Fewer are not cut into parts: there are too few cubes to tell by some of them whether it pays.

@@ -169,7 +169,7 @@ Estimate Along(const std::array<double, 3>& direction, const Point& origin, cons
 
 /**
  * Whether triangles with at most one shared corner are clearly apart beyond it: a plane across the
- * line between their centres, through that corner, has one on either side. Spares neighbours in one
+ * line between their centers, through that corner, has one on either side. Spares neighbors in one
  * plane the exact arithmetic. Where overflow leaves no number it compares as false, which is safe.
  */
 bool ClearlyApart(const CornersInPlace& a, const std::array<int, 3>& sharedOfA,

@@ -81,8 +81,7 @@ std::vector<Id> Between(const std::vector<Id>& all, Id p, Id q)
   return { std::min(first, last) + 1, std::max(first, last) };
 }
 
-/** What each edge is to be split at: whole edges, and edges of one chain that another one splits.
- */
+/** The points to split each edge at: on whole edges, and on steps of a chain that others split. */
 std::map<Edge, std::vector<Id>> PointsWithin(
   const std::vector<Point>& points, const std::vector<EdgeChain>& chains)
 {
@@ -129,7 +128,7 @@ std::vector<EdgeChain> ChainsOf(const PlanarSubdivision& subdivision, const std:
     const Triangle& corners = facet.Corners;
     for (int k = 0; k < 3; ++k)
     {
-      // Of corners one behind the other the subdivision has but one: the chain begins at the other.
+      // The subdivision has only one of two coincident corners: the chain begins at the other.
       const int next = (k + 1) % 3;
       std::vector<Id> chain = { corners[k], ids[facet.Places[k]] };
       for (Id p = facet.Places[k]; p != facet.Places[next];)

@@ -126,7 +126,7 @@ std::vector<SplitConstraint> SplitConstraints(
       });
     if (!inner.empty())
     {
-      // Of equal points the lowest becomes a corner, in each constraint.
+      // The lowest of equal points becomes a corner, in each constraint.
       std::sort(inner.begin(), inner.end());
       split.push_back({ f,
         PiecesAround(surface.Points, surface.Facets[f], std::move(inner),

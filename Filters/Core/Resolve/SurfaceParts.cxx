@@ -20,8 +20,8 @@ namespace
  * where they are as dense everywhere. */
 constexpr Id MostInPart = 4096;
 
-/** Cubes along a side of the grid, for what is round is no terrain as a whole; but not so many that
- * fewer facets than this are in one. */
+/** Cubes along a side of the grid, as a round surface is no terrain as a whole; fewer where a cube
+ * would have fewer facets than the second number. */
 constexpr double LeastCubes = 4;
 constexpr double LeastInCube = 256;
 
@@ -31,15 +31,16 @@ constexpr double MostCubes = 128;
 /** Fewer facets are no terrain of their own: to prove them takes longer than to compare them. */
 constexpr Id LeastTerrain = 16;
 
-/** What is no terrain is halved this often, to part what spoils it from the rest. */
+/** Halvings of a range that is no terrain, to separate the facets that spoil it from the rest. */
 constexpr int MostHalvings = 4;
 
 /** A view shows a facet well enough if its normal points so far towards it, of the most that it
  * points along an axis. */
 constexpr double WellShown = 0.1;
 
-/** One of so many ranges of facets is cut first. Of its facets this part has to be in terrains, and
- * on average so many in a part: else to search parts takes longer than to search facets. */
+/** One in this many ranges of facets is cut first, as a sample. At least this share of its facets
+ * has to be in terrains, and a part has to have at least this many facets on average. Otherwise
+ * searching parts takes longer than searching facets. */
 constexpr std::size_t RangesPerSample = 16;
 constexpr double LeastInTerrains = 0.87;
 constexpr double LeastPerPart = 64;
@@ -52,7 +53,7 @@ struct FacetRange
   Id Size() const { return this->End - this->Begin; }
 };
 
-/** The centres of facets, as far as a grid and medians need them. */
+/** The centers of facets, as far as a grid and medians need them. */
 class FacetCentres
 {
 public:
@@ -80,7 +81,7 @@ private:
   const std::vector<Triangle>& Facets;
 };
 
-/** The facets by the cubes of a grid that their centres are in. A closed surface meets about as
+/** The facets by the cubes of a grid that their centers are in. A closed surface meets about as
  * many cubes as there are along the six sides of the grid. */
 Buckets<Id> SortIntoCubes(const Box& box, const FacetCentres& centreOf, Id count)
 {
@@ -112,7 +113,7 @@ Buckets<Id> SortIntoCubes(const Box& box, const FacetCentres& centreOf, Id count
     } };
 }
 
-/** Sorts facets into two halves, at the median of their centres. */
+/** Sorts facets into two halves, at the median of their centers. */
 std::array<FacetRange, 2> Halve(
   const FacetCentres& centreOf, std::vector<Id>& facets, const FacetRange& range)
 {
@@ -224,8 +225,8 @@ public:
   }
 
 private:
-  /** Per facet a view that shows its front, or AxisView::Count. Of the views that do so well enough
-   * it is the one that shows most of the range, so that neighbors have the same. */
+  /** Per facet a view that shows its front, or AxisView::Count. Among the views that do so well
+   * enough it is the one that shows most of the range, so that neighbors have the same. */
   std::vector<std::size_t> ChooseViews(const std::vector<Id>& order, const FacetRange& range) const
   {
     std::vector<Point> normals;

@@ -27,7 +27,7 @@ struct SurfaceParts
 
 /**
  * Cut a surface into parts most of which, where it is smooth, are proved to be terrains: so that
- * facets need only be compared with those of other parts. Facets of a part have their centres in
+ * facets need only be compared with those of other parts. Facets of a part have their centers in
  * one cube of a grid, or in a half of it where there are many; face one way, as seen along an axis;
  * and are joined through edges. Those that are in no terrain are one part in each cube.
  *

@@ -203,8 +203,8 @@ void WorkingSurface::FindCrossingsBetween(
 }
 
 /**
- * Adds facets, or what they mean to the ones with the same corners. What is left without a meaning
- * is marked as removed, too.
+ * Adds facets, or their meaning to existing ones with the same corners. Facets left without a
+ * meaning are marked as removed, too.
  */
 void WorkingSurface::AddFacets(const std::vector<MeantFacet>& facets, std::vector<char>& isRemoved)
 {

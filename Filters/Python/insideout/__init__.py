@@ -31,7 +31,7 @@ The defects of tetrahedra, and their quality::
 
 Set operations of bodies, however broken their surfaces are::
 
-    insideout.boolean({"liver": "liver.stl", "tumour": "tumour.ply"}, "liver - tumour").surface
+    insideout.boolean({"liver": "liver.stl", "tumor": "tumor.ply"}, "liver - tumor").surface
 
 Without a mesh: the surface cut where it crosses itself, its winding number at any points, and which of
 them are inside::

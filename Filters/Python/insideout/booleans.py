@@ -84,7 +84,7 @@ def boolean(
 ) -> Boolean:
     """The surface of what a set expression makes of several bodies, however broken their surfaces are.
 
-    surfaces    several of what `insideout` takes for one; by names, as in {"liver": "liver.stl", "tumour": ...}, or in a
+    surfaces    several of what `insideout` takes for one; by names, as in {"liver": "liver.stl", "tumor": ...}, or in a
                 row, as A, B, C ...
     expression  such as "A - (B | C) ^ D". Operators are | or + (union), & (intersection), - (difference) and ^ (symmetric
                 difference), with the precedence that they have in Python: + and - first, then &, then ^, then |. A name

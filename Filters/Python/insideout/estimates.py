@@ -33,7 +33,7 @@ class Estimate:
     seconds: float = 0
     mebibytes: float = MEBIBYTES_ANYWAY
     layer_cells: float = 0
-    """Of the cells those in layers."""
+    """The cells in layers, which `cells` include."""
 
     def __add__(self, other: Estimate) -> Estimate:
         both = self.mebibytes + other.mebibytes - MEBIBYTES_ANYWAY

@@ -35,7 +35,7 @@ def scale_between(unit: str, other: str) -> float:
 
 
 def share_of(name: str, value: Any) -> Optional[float]:
-    """What part of the diagonal a length is, 0.02 for "2%"; None for a number. Raises `ArgumentError` for other text."""
+    """The length as a share of the diagonal, 0.02 for "2%"; None for a number. Raises `ArgumentError` for other text."""
     if not isinstance(value, str):
         return None
     try:

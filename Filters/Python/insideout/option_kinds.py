@@ -156,7 +156,7 @@ class ChosenFacets(Option):
 
 
 class Scale(Option):
-    """What a surface's coordinates are multiplied by before any filter has it: there is no property."""
+    """The factor of a surface's coordinates, applied before any filter has it: there is no property."""
 
     def checked(self, name: str, value: Any) -> float:
         if not at_least(0, name, value) > 0:

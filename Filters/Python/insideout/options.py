@@ -121,7 +121,7 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
     """
 
     def factor(self) -> float:
-        """What the surface's coordinates are multiplied by."""
+        """The factor of the surface's coordinates."""
         return 1.0 if self.scale is None else OPTIONS["scale"].checked("scale", self.scale)
 
     @classmethod

@@ -17,7 +17,7 @@ from .pipeline import Error
 from .serializing import vtk_array
 
 _PREFIX = "InsideOutTag_"
-"""What the arrays are called by: no output keeps them."""
+"""The prefix of the arrays' names: no output keeps arrays with it."""
 
 
 def with_functions_as_arrays(surface: vtkPolyData, options: Options) -> tuple[vtkPolyData, Options]:
@@ -56,7 +56,7 @@ def without_arrays_of_functions(output: vtkDataObject) -> None:
 
 
 def _centers_and_normals(surface: vtkPolyData) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Of each polygon the mean of its corners and its unit normal, which is 0 where it has no area."""
+    """The mean of each polygon's corners and its unit normal, which is 0 where it has no area."""
     if surface.GetNumberOfStrips() > 0:
         raise Error("functions of tags take polygons, and the surface has strips: go through vtkTriangleFilter first")
     polygons = surface.GetPolys()

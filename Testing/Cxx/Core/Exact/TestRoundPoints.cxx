@@ -183,7 +183,7 @@ TEST(RoundPoints, GivesExactPointsPlacesInDoublesBesideWhatTheyLieOn)
     const std::size_t count = Unrounded(mesh.Mesh).size();
     EXPECT_GT(count, 2u);
     const std::vector<Id> left = RoundInOrder(mesh);
-    // Of several on one face of the hull, one may be in the way of another.
+    // Several points on one face of the hull may be in each other's way.
     for (const Id point : left)
     {
       EXPECT_TRUE(IsOnHull(mesh.Mesh, point)) << "seed " << seed;
