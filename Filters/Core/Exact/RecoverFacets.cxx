@@ -255,7 +255,7 @@ bool Recover(ExactState& state, Id facet, const FlipEffort& effort)
       Mark(state.Mesh, facet, faces);
       return true;
     }
-    if (search == Search::Impossible)
+    if (search == Search::Impossible || mesh.Work().Spent() > effort.EndOfWork)
     {
       return false;
     }
