@@ -46,6 +46,8 @@ class Refused(CommandLine):
             (("mesh", "--together", "a.ply", "b.ply", vtu, "--body-array", "B"), "--body-array", "--together makes a body"),
             (("mesh", "a.ply", vtu, "--format", "ply"), "--format", "standard input"),
             (("mesh", "a.ply", vtu, "--msh-version", "2.2"), "--msh-version", ".msh"),
+            (("mesh", "a.ply", vtu, "--cells-only"), "--cells-only", ".mesh files"),
+            (("mesh", "a.ply", inp, "--material", "steel", "--fix", "a", "--cells-only"), "--cells-only", "supports and loads take tags"),
             (("mesh", "a.ply", vtu, "--from", "mm"), "--from", "--to"),
             (("mesh", "a.ply", vtu, "--to", "mm"), "--to", "--from"),
             (("mesh", "a.ply", vtu, "--to", "mm", "--from", "m", "--scale", "2"), "--scale", "are a scale"),

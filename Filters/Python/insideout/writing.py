@@ -8,7 +8,7 @@ from typing import Optional, Union, get_args
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .calling import for_users, tell
-from .errors import Error, one_of
+from .errors import Error, one_of, switch
 from .files import Path, write_surface
 from .grid_files import write_distances
 from .grids import DistanceGrid
@@ -58,6 +58,7 @@ def write(
     if boundary is not None and not isinstance(boundary, vtkPolyData):
         raise Error(f"boundary is of type {type(boundary).__name__}; it must be a vtkPolyData")
     one_of(get_args(MshVersion), "msh_version", msh_version)
+    cells_only = switch("cells_only", cells_only)
     if isinstance(data, DistanceGrid):
         write_distances(data, path)
     elif isinstance(data, Tetrahedralization):

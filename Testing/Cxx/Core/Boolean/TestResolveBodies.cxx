@@ -2,7 +2,9 @@
 #include "Boolean/ResolveBodies.h"
 
 #include "Boolean/SingleBodies.h"
+#include "Common/Team.h"
 #include "Resolve/FindIntersections.h"
+#include "Support/AllowedThreads.h"
 #include "Support/BodiesOfSoups.h"
 #include "Support/TestMeshes.h"
 #include "WindingNumber/SurfaceWindingNumber.h"

@@ -366,7 +366,7 @@ TEST(ExactTetrahedralization, EndsWhenTheWorkIsDone)
     static_cast<std::int64_t>(surface.Points.size()) + surface.NumberOfConstraints;
   const ExactTetrahedralization patient = Tetrahedralize(surface);
   EXPECT_TRUE(LawfulMesh(surface, patient).LostFacets.empty());
-  for (const std::int64_t workPerElement : { 0, 1000, 10000 })
+  for (const std::int64_t workPerElement : { 0, 1000, 3000 })
   {
     Monitor monitor;
     const ExactTetrahedralization hasty =

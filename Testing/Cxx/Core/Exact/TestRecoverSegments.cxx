@@ -215,10 +215,9 @@ TEST(RecoverSegments, SplitsAloneRecoverAllFromEitherEnd)
 }
 
 /**
- * A known fault: no vertex is on the segment 3 8, and yet it is given up, for edges that flips in a
- * plane take away from it are brought back by the ones that are put in another's place
- * (MakeEdge, StarEdge), and so on until the number of splits ends it. When that is
- * mended, expect none to be returned here.
+ * A known fault: no vertex is on the segment 3 8, and yet it is given up. Edges that flips in a
+ * plane remove from it are restored by flips that replace another edge (MakeEdge, StarEdge), until
+ * the limit of splits ends this cycle. Once that is fixed, expect none to be returned here.
  */
 TEST(RecoverSegments, KnownFaultGivesASegmentUpAcrossWhichFlatFlipsGoInCircles)
 {
