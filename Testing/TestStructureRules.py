@@ -92,6 +92,10 @@ class TestStructureRules(unittest.TestCase):
             run = subprocess.run([sys.executable, SCRIPT, tree], capture_output=True, text=True, check=False)
             self.assertEqual((run.returncode, run.stdout.splitlines()), (status, check(tree)))
 
+    def test_the_top_level_holds_nothing_else(self):
+        self.expect_one("BndLayerDebug.log", "does not belong to the top level", **{"BndLayerDebug.log": ""})
+        self.assertEqual(self.complaints(**{".ci/run": "", "build-test/a.log": "", "vtk.module": ""}), [])
+
     def test_a_room_includes_no_room_above_it(self):
         name = "Filters/Core/Ground/Base.h"
         self.expect_one(name, "includes Upper/Tower.h", **{name: '#include "Upper/Tower.h"\n'})

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rules of the tree's structure: the order of the rooms, a page that names each file, short functions, documented
-classes, and a name of its own for each type.
+"""Rules of the tree's structure: the top level, the order of the rooms, a page that names each file, short functions,
+documented classes, and a name of its own for each type.
 
     python3 check-structure.py [ROOT]
 
@@ -40,6 +40,18 @@ def read(file: Path) -> str:
 def code_of(text: str) -> str:
     """The text without what is no code, every line where it was."""
     return NO_CODE.sub(lambda match: "\n" * match.group().count("\n") or " ", text)
+
+
+# The top level
+
+TOP_LEVEL = {"CMakeLists.txt", "Examples", "Filters", "LICENSE", "Plugin", "README.md", "Testing", "vtk.module"}
+
+
+def check_top_level(root: Path) -> Iterator[str]:
+    """Nothing is at the top beside what belongs there, dotfiles and build folders."""
+    for entry in sorted(root.iterdir()):
+        if entry.name not in TOP_LEVEL and not entry.name.startswith(".") and not (entry.is_dir() and entry.name.startswith("build")):
+            yield f"{entry.name}: does not belong to the top level"
 
 
 # The rooms
@@ -240,7 +252,7 @@ def check_names(root: Path) -> Iterator[str]:
 
 def check(root: Path) -> list[str]:
     """What breaks a rule, one line each."""
-    rules = (check_rooms, check_pages, check_links, check_functions, check_classes, check_names)
+    rules = (check_top_level, check_rooms, check_pages, check_links, check_functions, check_classes, check_names)
     return [complaint for rule in rules for complaint in rule(root)]
 
 

@@ -152,9 +152,9 @@ def by_netgen(_: str, folder: Path) -> dict[str, Any]:
 
 def run(program: str, surface: Path, folder: Path, limit: float) -> dict[str, Any]:
     """What a program makes, in a process of its own; or why it makes nothing."""
-    command = [sys.executable, __file__, "--one", program, "--folder", str(folder), str(surface)]
+    command = [sys.executable, str(Path(__file__).resolve()), "--one", program, "--folder", str(folder), str(surface)]
     try:
-        ran = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=False)
+        ran = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=False, cwd=folder)  # Netgen writes a log there
     except subprocess.TimeoutExpired:
         return {"refused": f"not over after {limit:g} s"}
     lines = [line for line in ran.stdout.splitlines() if line.startswith("MADE ")]

@@ -53,7 +53,7 @@ constexpr double AcceptableAngle = 3;
 /** The same where edges are contracted to wanted lengths. */
 constexpr double AcceptableAngleForLength = 0.3;
 
-/** Each round halves edges, so few are needed; this limit excludes endless rounds. */
+/** Each round halves edges: most surfaces take fewer. The limit excludes an endless loop. */
 constexpr int MostRoundsOfSplits = 60;
 
 /** Rounds of split, contract, flip and move. The first use the lengths as wanted, which shows where

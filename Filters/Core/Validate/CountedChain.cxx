@@ -3,6 +3,7 @@
 
 #include "Common/Box.h"
 #include "Common/Buckets.h"
+#include "Common/FirstOfEqual.h"
 #include "Common/PointPredicates.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace insideout
 {
@@ -64,76 +64,16 @@ bool Participates(const TriangleSoup& soup, Id triangle)
   return soup.NonParticipating.empty() || soup.NonParticipating[triangle] == 0;
 }
 
-/** Per facet the first with its corners. Facets that have them all have the edge of the lower two,
- * so that few are compared, and these stand together. */
-std::vector<Id> FirstOfCorners(
-  const std::vector<Triangle>& facets, const std::vector<FacetEdge>& edges)
-{
-  std::vector<Id> first(facets.size());
-  std::iota(first.begin(), first.end(), 0);
-  std::vector<std::array<Id, 2>> thirds; // of facets at one edge, with the facets
-  ForEachEdge(edges,
-    [&](const FacetEdge* begin, const FacetEdge* end)
-    {
-      thirds.clear();
-      for (const FacetEdge* edge = begin; end - begin > 1 && edge != end; ++edge)
-      {
-        const auto [a, b, c] = facets[edge->Facet];
-        const Id third = a ^ b ^ c ^ edge->Low ^ edge->High;
-        if (third > edge->High)
-        {
-          thirds.push_back({ third, edge->Facet });
-        }
-      }
-      std::sort(thirds.begin(), thirds.end());
-      for (std::size_t i = 1; i < thirds.size(); ++i)
-      {
-        if (thirds[i][0] == thirds[i - 1][0])
-        {
-          first[thirds[i][1]] = first[thirds[i - 1][1]];
-        }
-      }
-    });
-  return first;
-}
-
-/** Keeps the first facets of equal ones, and their edges. @return per facet its new number */
-std::vector<Id> KeepFirst(const std::vector<Id>& first, CountedChain& chain)
-{
-  std::vector<Triangle>& facets = chain.Surface.Facets;
-  std::vector<Id> numbers(facets.size());
-  Id count = 0;
-  for (std::size_t f = 0; f < facets.size(); ++f)
-  {
-    if (first[f] == static_cast<Id>(f))
-    {
-      facets[count] = facets[f];
-      numbers[f] = count++;
-    }
-    else
-    {
-      numbers[f] = numbers[first[f]];
-    }
-  }
-  facets.resize(count);
-  chain.Edges.erase(std::remove_if(chain.Edges.begin(), chain.Edges.end(),
-                      [&](const FacetEdge& edge) { return first[edge.Facet] != edge.Facet; }),
-    chain.Edges.end());
-  for (FacetEdge& edge : chain.Edges)
-  {
-    edge.Facet = numbers[edge.Facet];
-  }
-  return numbers;
-}
-
-/** One facet per set of three corners, in the order of their first triangles, with its sources and
- * edges. */
+/** One facet per set of three corners, in the order of their first triangles, with its sources. */
 void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, CountedChain& chain)
 {
   FacetComplex& surface = chain.Surface;
-  std::vector<Id> triangles; // of the facets, before equal ones become one
+  FirstOfEqual equal(soup.Triangles.size());
+  std::vector<SortedTriangle> leaders; // of the facets
+  std::vector<FacetSource> places;     // per triangle its facet, None for degenerate ones
   surface.Facets.reserve(soup.Triangles.size());
-  triangles.reserve(soup.Triangles.size());
+  leaders.reserve(soup.Triangles.size());
+  places.reserve(soup.Triangles.size());
   for (Id t = 0; t < static_cast<Id>(soup.Triangles.size()); ++t)
   {
     const Triangle& given = soup.Triangles[t];
@@ -141,39 +81,40 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, Coun
     if (IsDegenerate(soup.Points, corners))
     {
       chain.DegenerateTriangles.push_back(t);
+      places.push_back({ None, false });
       continue;
     }
-    surface.Facets.push_back(corners);
-    triangles.push_back(t);
+    const SortedTriangle sorted(corners);
+    const Id next = surface.NumberOfFacets();
+    const Id facet = equal.Find(next, HashOfTriangle()(sorted.Points),
+      [&](Id other) { return leaders[other].Points == sorted.Points; });
+    if (facet == next)
+    {
+      surface.Facets.push_back(corners);
+      leaders.push_back(sorted);
+    }
+    places.push_back({ facet, sorted.Turned != leaders[facet].Turned });
   }
-  chain.Edges = SortedFacetEdges(surface.Facets);
-  std::vector<FacetSource> places; // per triangle of these its facet
-  places.reserve(triangles.size());
-  const std::vector<Id> first = FirstOfCorners(surface.Facets, chain.Edges);
-  for (std::size_t f = 0; f < first.size(); ++f)
-  {
-    places.push_back({ first[f],
-      first[f] != static_cast<Id>(f) &&
-        SortedTriangle(surface.Facets[f]).Turned !=
-          SortedTriangle(surface.Facets[first[f]]).Turned });
-  }
-  const std::vector<Id> numbers = KeepFirst(first, chain);
-  Buckets<FacetSource> sources(surface.Facets.size(),
+
+  const Buckets<FacetSource> sources(surface.Facets.size(),
     [&](auto visit)
     {
-      for (std::size_t i = 0; i < places.size(); ++i)
+      for (std::size_t t = 0; t < places.size(); ++t)
       {
-        visit(static_cast<std::size_t>(numbers[places[i].Triangle]),
-          FacetSource{ triangles[i], places[i].Reversed });
+        if (places[t].Triangle != None)
+        {
+          visit(static_cast<std::size_t>(places[t].Triangle),
+            FacetSource{ static_cast<Id>(t), places[t].Reversed });
+        }
       }
     });
+  surface.Sources.reserve(soup.Triangles.size());
   surface.SourceOffsets.reserve(surface.Facets.size() + 1);
   for (std::size_t f = 0; f < surface.Facets.size(); ++f)
   {
-    surface.SourceOffsets.push_back(
-      surface.SourceOffsets.back() + static_cast<Id>(sources[f].Size()));
+    surface.Sources.insert(surface.Sources.end(), sources[f].begin(), sources[f].end());
+    surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
   }
-  surface.Sources = std::move(sources).TakeAll();
   surface.NumberOfConstraints = surface.NumberOfFacets();
 }
 
@@ -247,10 +188,9 @@ void CountSources(const TriangleSoup& soup, bool countDuplicates, CountedChain& 
 }
 
 /** Keep the points that facets use, in the input's order. */
-void CompactPoints(
-  const std::vector<Point>& points, const std::vector<Id>& merged, CountedChain& chain)
+void CompactPoints(const std::vector<Point>& points, const std::vector<Id>& merged,
+  FacetComplex& surface, SurfaceCounts& counts)
 {
-  FacetComplex& surface = chain.Surface;
   std::vector<Id> index(points.size(), None);
   for (const Triangle& facet : surface.Facets)
   {
@@ -263,7 +203,7 @@ void CompactPoints(
   surface.Origins.reserve(points.size());
   for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
   {
-    chain.Counts.MergedPoints += merged[p] != p;
+    counts.MergedPoints += merged[p] != p;
     if (index[p] != None)
     {
       index[p] = static_cast<Id>(surface.Points.size());
@@ -271,21 +211,12 @@ void CompactPoints(
       surface.Origins.push_back(PointOrigin::Input(p));
     }
   }
-  if (surface.Points.size() == points.size())
-  {
-    return; // all have kept their numbers
-  }
   for (Triangle& facet : surface.Facets)
   {
     for (Id& p : facet)
     {
       p = index[p];
     }
-  }
-  for (FacetEdge& edge : chain.Edges)
-  {
-    edge.Low = index[edge.Low];
-    edge.High = index[edge.High];
   }
 }
 
@@ -387,11 +318,12 @@ CountedChain CountFacets(
     throw Error(ErrorCode::AllDegenerate,
       "all " + std::to_string(soup.Triangles.size()) + " triangles are degenerate (without area)");
   }
-  CompactPoints(soup.Points, merged, chain);
+  CompactPoints(soup.Points, merged, chain.Surface, chain.Counts);
   chain.Counts.Points = static_cast<Id>(chain.Surface.Points.size());
   chain.Counts.Facets = chain.Surface.NumberOfFacets();
 
   monitor.Check(Stages::Validating, 0.7);
+  chain.Edges = SortedFacetEdges(chain.Surface.Facets);
   CountSources(soup, parameters.CountDuplicates, chain);
   const std::vector<FacetEdge>& edges = chain.Edges;
   const FacetComponents components = ComponentsOfFacets(chain.Counts.Facets, edges);

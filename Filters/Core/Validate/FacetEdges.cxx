@@ -3,7 +3,6 @@
 
 #include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
-#include "Common/ParallelLoop.h"
 
 #include <algorithm>
 
@@ -32,14 +31,12 @@ std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
         }
       }
     });
-  const double nanosecondsPerPoint = 50;
-  ParallelLoop(byLow.Size(), nanosecondsPerPoint,
-    [&](std::size_t low)
-    {
-      byLow.Sort(low,
-        [](const FacetEdge& a, const FacetEdge& b)
-        { return a.High != b.High ? a.High < b.High : a.Facet < b.Facet; });
-    });
+  for (std::size_t low = 0; low < byLow.Size(); ++low)
+  {
+    byLow.Sort(low,
+      [](const FacetEdge& a, const FacetEdge& b)
+      { return a.High != b.High ? a.High < b.High : a.Facet < b.Facet; });
+  }
   return std::move(byLow).TakeAll();
 }
 
