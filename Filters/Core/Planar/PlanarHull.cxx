@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Planar/PlanarHull.h"
 
+#include "Common/DisjointSets.h"
 #include "Planar/OrientCurves.h"
 #include "Planar/ResolveSegments.h"
 #include "Planar/TriangulateHull.h"
@@ -43,6 +44,47 @@ bool IsOdd(double w)
   return std::lround(w) % 2 != 0;
 }
 
+bool IsTwice(double w)
+{
+  return w > 1.5;
+}
+
+/** Whether a contour lies in another one that runs the same way: where w is 2 and no vertex nearby
+ * is one of the outside's. Areas where contours overlap reach the outside where these cross. */
+bool HasContourWithin(const PlanarHull& hull)
+{
+  DisjointSets areas(hull.Curve.Points.size());
+  std::vector<bool> isOutside(hull.Curve.Points.size(), false);
+  for (std::size_t c = 0; c < hull.W.size(); ++c)
+  {
+    const auto& [p, q, r] = hull.Mesh.Cells[c];
+    if (IsTwice(hull.W[c]))
+    {
+      areas.Join(p, q);
+      areas.Join(p, r);
+    }
+    else if (!IsInside(hull.W[c]))
+    {
+      isOutside[p] = isOutside[q] = isOutside[r] = true;
+    }
+  }
+  for (std::size_t p = 0; p < isOutside.size(); ++p)
+  {
+    if (isOutside[p])
+    {
+      isOutside[areas.Find(static_cast<Id>(p))] = true;
+    }
+  }
+  for (std::size_t c = 0; c < hull.W.size(); ++c)
+  {
+    if (IsTwice(hull.W[c]) && !isOutside[areas.Find(hull.Mesh.Cells[c][0])])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /** @param[in] given winding numbers before segments were turned over
  * @param[in] crosses whether segments meet beyond their ends */
 AreaReadings ReadAreas(const PlanarHull& hull, const std::vector<double>& given, bool crosses)
@@ -61,10 +103,9 @@ AreaReadings ReadAreas(const PlanarHull& hull, const std::vector<double>& given,
       IsInside(hull.W[c]) != IsInside(given[c]);
   }
   const auto [least, most] = std::minmax_element(given.begin(), given.end());
-  const auto isTwice = [](double w) { return w > 1.5; };
-  areas.Differ = differ &&
-    (crosses ? *least < -0.5 && IsInside(*most)
-             : std::any_of(hull.W.begin(), hull.W.end(), isTwice));
+  areas.Across = differ && crosses && *least < -0.5 && IsInside(*most);
+  areas.Within = differ &&
+    (crosses ? HasContourWithin(hull) : std::any_of(hull.W.begin(), hull.W.end(), IsTwice));
   for (double* area : { &areas.EvenOdd, &areas.Winding, &areas.AsGiven })
   {
     *area = std::ldexp(*area, 2 * hull.Plane.Exponent);
@@ -72,15 +113,16 @@ AreaReadings ReadAreas(const PlanarHull& hull, const std::vector<double>& given,
   return areas;
 }
 
-std::string WarningAbout(const AreaReadings& areas, bool crosses)
+std::string WarningAbout(const AreaReadings& areas)
 {
   char text[200];
   std::snprintf(text, sizeof(text),
-    "the lines enclose an area of %.6g by the winding number, %.6g by even-odd and %.6g as given: ",
+    "the contours enclose an area of %.6g by the winding number, %.6g by even-odd and %.6g as "
+    "given: ",
     areas.Winding, areas.EvenOdd, areas.AsGiven);
   return text +
-    std::string(crosses ? "Orientation chooses"
-                        : "a line within another is a hole only if it runs the other way");
+    std::string(areas.Across ? "Orientation chooses"
+                             : "a contour within another is a hole only if it runs the other way");
 }
 } // namespace
 
@@ -133,9 +175,9 @@ PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
     hull.Areas =
       ReadAreas(hull, WindingNumberOfTriangles(asGiven, hull.Mesh, plane.Metric, monitor), crosses);
   }
-  if (hull.Areas.Differ)
+  if (hull.Areas.Differ())
   {
-    hull.Warnings.push_back(WarningAbout(hull.Areas, crosses));
+    hull.Warnings.push_back(WarningAbout(hull.Areas));
   }
   AddAreas(hull.Areas, statistics);
   const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
@@ -151,7 +193,7 @@ PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
 
 void AddAreas(const AreaReadings& areas, Statistics& statistics)
 {
-  if (areas.Differ)
+  if (areas.Differ())
   {
     statistics.emplace_back("AreaByEvenOdd", areas.EvenOdd);
     statistics.emplace_back("AreaByWindingNumber", areas.Winding);

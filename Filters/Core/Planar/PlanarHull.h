@@ -19,12 +19,17 @@ struct AreaReadings
 {
   double EvenOdd = 0; ///< region with odd winding number
   double Winding = 0; ///< region with w > 1/2
-  double AsGiven = 0; ///< region with w > 1/2 if no segment is turned over; only if Differ
+  double AsGiven = 0; ///< region with w > 1/2 if no segment is turned over; only if Differ()
 
-  /** The rules differ, and the curve may mean a hole: either segments cross, and a part of it runs
-   * clockwise around space that no other part encloses; or a part of it encloses another with the
-   * same direction, as contours of DICOM do. */
-  bool Differ = false;
+  /** The rules differ, segments cross, and a part of the curve runs clockwise around space that no
+   * other part encloses. */
+  bool Across = false;
+  /** The rules differ, and a part of the curve encloses another with the same direction, as
+   * contours of DICOM do. */
+  bool Within = false;
+
+  /** The curve may mean a hole that the winding number fills. */
+  bool Differ() const { return this->Across || this->Within; }
 };
 
 /** The convex hull of a curve in triangles, and the curve's winding number in each. */

@@ -94,20 +94,21 @@ TEST(CurveDefects, TellWhatAHoleAcrossItsOutlineMeansByThreeRules)
     return defects;
   };
   const CurveDefects automatic = expect(Orientation::Automatic, 8352, 7152);
-  EXPECT_TRUE(automatic.Areas.Differ);
+  EXPECT_TRUE(automatic.Areas.Differ());
   ASSERT_EQ(automatic.Warnings.size(), 2u);
   EXPECT_EQ(automatic.Warnings[1],
-    "the lines enclose an area of 8352 by the winding number, 7504 by even-odd and 7152 as given: "
+    "the contours enclose an area of 8352 by the winding number, 7504 by even-odd and 7152 as "
+    "given: "
     "Orientation chooses");
-  EXPECT_TRUE(expect(Orientation::AsGiven, 7152, 7152).Areas.Differ);
+  EXPECT_TRUE(expect(Orientation::AsGiven, 7152, 7152).Areas.Differ());
   // Two outlines that overlap are one area; that all run clockwise is no hole.
   std::swap(soup.Points[5], soup.Points[7]);
-  EXPECT_FALSE(expect(Orientation::Automatic, 8352, 8352).Areas.Differ);
+  EXPECT_FALSE(expect(Orientation::Automatic, 8352, 8352).Areas.Differ());
   for (Segment& segment : soup.Segments)
   {
     std::swap(segment[0], segment[1]);
   }
-  EXPECT_FALSE(expect(Orientation::Automatic, 8352, 0).Areas.Differ);
+  EXPECT_FALSE(expect(Orientation::Automatic, 8352, 0).Areas.Differ());
 }
 
 TEST(CurveDefects, TellWhatAHoleThatRunsLikeItsOutlineMeansByThreeRules)
@@ -120,11 +121,45 @@ TEST(CurveDefects, TellWhatAHoleThatRunsLikeItsOutlineMeansByThreeRules)
   EXPECT_EQ(defects.Areas.Winding, 36);
   EXPECT_EQ(defects.Areas.EvenOdd, 24);
   EXPECT_EQ(defects.Areas.AsGiven, 36);
-  EXPECT_TRUE(defects.Areas.Differ);
+  EXPECT_TRUE(defects.Areas.Differ());
   ASSERT_EQ(defects.Warnings.size(), 1u);
   EXPECT_EQ(defects.Warnings[0],
-    "the lines enclose an area of 36 by the winding number, 24 by even-odd and 36 as given: a line "
-    "within another is a hole only if it runs the other way");
+    "the contours enclose an area of 36 by the winding number, 24 by even-odd and 36 as given: a "
+    "contour within another is a hole only if it runs the other way");
+}
+
+TEST(CurveDefects, TellOfAHoleThatRunsLikeItsOutlineBesideOutlinesThatCross)
+{
+  // A square with a smaller one in it; and apart from them two squares that overlap.
+  const auto square = [](double x, double y, double side)
+  {
+    return std::vector<std::array<double, 2>>{ { x, y }, { x + side, y }, { x + side, y + side },
+      { x, y + side } };
+  };
+  std::vector<std::array<double, 2>> points;
+  for (const auto& corners :
+    { square(0, 0, 6), square(1, 1, 4), square(10, 0, 4), square(12, 2, 4) })
+  {
+    points.insert(points.end(), corners.begin(), corners.end());
+  }
+  const auto defects = [&](std::size_t squares)
+  {
+    std::vector<std::vector<Id>> lines;
+    for (Id i = 0; i < 4; ++i)
+    {
+      if (squares == 4 || i != 1)
+      {
+        lines.push_back({ 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3, 4 * i });
+      }
+    }
+    return DefectsOf(Lines(points, lines));
+  };
+  const CurveDefects nested = defects(4);
+  EXPECT_EQ(nested.Areas.Winding, 36 + 28);
+  EXPECT_EQ(nested.Areas.EvenOdd, 20 + 24);
+  EXPECT_TRUE(nested.Areas.Within);
+  EXPECT_FALSE(nested.Areas.Across);
+  EXPECT_FALSE(defects(3).Areas.Differ());
 }
 
 TEST(CurveDefects, TellNothingOfAHoleWithinItsOutline)
@@ -135,7 +170,7 @@ TEST(CurveDefects, TellNothingOfAHoleWithinItsOutline)
   EXPECT_EQ(defects.Areas.Winding, 15);
   EXPECT_EQ(defects.Areas.EvenOdd, 15);
   EXPECT_EQ(defects.Areas.AsGiven, 15);
-  EXPECT_FALSE(defects.Areas.Differ);
+  EXPECT_FALSE(defects.Areas.Differ());
   EXPECT_TRUE(defects.Warnings.empty());
 }
 } // namespace
