@@ -2,10 +2,9 @@
 #pragma once
 
 #include "Common/Monitor.h"
-#include "Common/Statistics.h"
-#include "Common/TetrahedralMesh.h"
-#include "Layers/LayerColumns.h"
+#include "Layers/LayeredMesh.h"
 
+#include <array>
 #include <vector>
 
 namespace insideout
@@ -15,41 +14,6 @@ struct LayerParameters
   int Layers = 3;
   double FirstHeight = 0; ///< of the layer at the wall
   double Growth = 1.2;    ///< of a layer's height over that of the one before it
-};
-
-/** A face of layers beside their wall, on another facet. */
-struct LayerSide
-{
-  std::array<Id, 4>
-    Corners; ///< counter-clockwise seen from outside; the last is None of a triangle
-  Id Face;   ///< of the input, 4 * cell + face: one of the facet
-};
-
-/** A solid with layers of prisms at a wall, of pyramids where one edge has no length, and
- * tetrahedra behind. */
-struct LayeredMesh : LayerCells
-{
-  /** Those of the input that are left, with the wall's where they were, then those of the layers.
-   */
-  std::vector<Point> Points;
-  std::vector<Id> OriginalPoints; ///< per point, that of the input; None for a new or moved one
-  std::vector<Id> CellsOfPoints;  ///< per point, a cell of the input that holds it, or is near it
-
-  /** Per point of the input the one that other facets than the wall have in its place; None for
-   * one that is gone. At rims it is behind the layers. */
-  std::vector<Id> PointsBeside;
-  std::vector<LayerSide> Sides; ///< along other facets, between these and the wall
-
-  /** Cells behind the layers first, then those of layers with two edges of no length. */
-  std::vector<Tetrahedron> Tetrahedra;
-  std::size_t NumberOfCellsBehind = 0; ///< of these tetrahedra
-
-  /** Per cell, tetrahedra before pyramids before prisms: one of the input that holds it, or is
-   * near it, of the same region; and its layer, from 1 at the wall, 0 behind. */
-  std::vector<Id> OriginalCells;
-  std::vector<Id> Layers;
-
-  insideout::Statistics Statistics;
 };
 
 /**
