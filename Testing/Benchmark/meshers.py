@@ -110,7 +110,7 @@ class Mesher:
                 errors="replace",
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
-                preexec_fn=lambda: _set_limits(limit),
+                preexec_fn=lambda: set_limits(limit),
             )
         except subprocess.TimeoutExpired:
             return over
@@ -118,7 +118,7 @@ class Mesher:
             return over
         if done.returncode != 0 or not mesh.exists():
             return Answer(trouble=_trouble(done.returncode, done.stdout))
-        return Answer(*_read(mesh), self.seconds(done.stdout))
+        return Answer(*read_mesh(mesh), self.seconds(done.stdout))
 
 
 def mesh_as_it_comes(surface: str, folder: Path, limit: float) -> str:
@@ -274,7 +274,8 @@ def _word(options: str) -> str:
     return "tetgen-" + re.sub(r"\W", "-", options)
 
 
-def _set_limits(seconds: float) -> None:
+def set_limits(seconds: float) -> None:
+    """Limit memory and processor time of this process, which is to become a mesher."""
     resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
     resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 5))
 
@@ -287,7 +288,8 @@ def _trouble(status: int, text: str) -> str:
     return "; ".join([end, *lines[:1]]).replace("|", "/")[:80]
 
 
-def _read(mesh: Path) -> tuple[np.ndarray, np.ndarray]:
+def read_mesh(mesh: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Points and tetrahedra of a mesher's file."""
     if mesh.suffix == ".vtu":
         return points_and_cells(read_grid(str(mesh)))
     import meshio
