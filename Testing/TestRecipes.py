@@ -8,6 +8,7 @@ import ast
 import re
 import subprocess
 import unittest
+from fnmatch import fnmatch
 from pathlib import Path
 
 import yaml
@@ -56,6 +57,15 @@ class Recipes(unittest.TestCase):
                 self.assertIn(f"option({option} ", cmake, name)
             for file in re.findall(r"/source/(\S+)", text):
                 self.assertTrue((ROOT / file).exists(), file)
+
+    def test_the_debian_package_is_named_as_it_is_built(self):
+        packages = (FOLDER.parent / "Packages.cmake").read_text(encoding="utf-8")
+        _, without_paraview = re.findall(r"set\(CPACK_PACKAGE_NAME (\S+)\)", packages)
+        for name in ("Dockerfile", "insideout.def"):
+            patterns = re.findall(r"[\w*.-]+\.deb\b", text_of(name))
+            self.assertTrue(patterns, name)
+            for pattern in patterns:
+                self.assertTrue(fnmatch(f"{without_paraview}_0.1.0_amd64.deb", pattern), f"{name}: {pattern}")
 
 
 if __name__ == "__main__":
