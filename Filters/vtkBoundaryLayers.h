@@ -46,10 +46,12 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutRange.h"         // for setters with a range
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkBoundaryLayers : public vtkUnstructuredGridAlgorithm
@@ -119,5 +121,6 @@ private:
   vtkBoundaryLayers(const vtkBoundaryLayers&) = delete;
   void operator=(const vtkBoundaryLayers&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

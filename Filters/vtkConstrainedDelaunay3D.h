@@ -37,10 +37,12 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for the options of counting
 #include "vtkInsideOutEngine.h"        // for the options of engines
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSINSIDEOUT_EXPORT vtkConstrainedDelaunay3D : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -76,5 +78,6 @@ private:
   vtkConstrainedDelaunay3D(const vtkConstrainedDelaunay3D&) = delete;
   void operator=(const vtkConstrainedDelaunay3D&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -31,6 +31,7 @@
 #define vtkDistributeParts_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkPassInputTypeAlgorithm.h"
 #include "vtkSmartPointer.h" // for the controller
 
@@ -40,6 +41,8 @@ namespace vtkInsideOut
 {
 class FailTogether;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkDistributeParts : public vtkPassInputTypeAlgorithm
@@ -79,5 +82,6 @@ private:
 
   const std::unique_ptr<vtkInsideOut::FailTogether> Failures;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -36,10 +36,12 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for the options of counting
 #include "vtkInsideOutEngine.h"        // for the options of engines
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSINSIDEOUT_EXPORT vtkGeneralizedWindingNumber : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -104,5 +106,6 @@ private:
   vtkGeneralizedWindingNumber(const vtkGeneralizedWindingNumber&) = delete;
   void operator=(const vtkGeneralizedWindingNumber&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

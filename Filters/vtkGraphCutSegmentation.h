@@ -31,8 +31,10 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutRange.h"         // for setters with a range
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkUnstructuredGridAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkGraphCutSegmentation : public vtkUnstructuredGridAlgorithm
@@ -225,5 +227,6 @@ private:
   vtkGraphCutSegmentation(const vtkGraphCutSegmentation&) = delete;
   void operator=(const vtkGraphCutSegmentation&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -48,9 +48,11 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkImplicitFunction.h"
 #include "vtkInsideOutCounting.h" // for the options of counting
+#include "vtkInsideOutVersions.h" // for the ABI namespace
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkImplicitWindingNumber : public vtkImplicitFunction
@@ -125,5 +127,6 @@ private:
   void Build();
   const Internal& UpToDate();
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -7,9 +7,12 @@
 #define vtkInsideOutRange_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkType.h"                   // for VTK_DOUBLE_MAX
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
+VTK_ABI_NAMESPACE_END
 
 namespace vtkInsideOut
 {

@@ -9,8 +9,15 @@
 
 // For VTK_MINOR_VERSION. Without vtkVersionMacros.h included first, the other headers of 9.7 warn.
 #include "vtkDeprecation.h"
+#include "vtkType.h" // for the ABI namespace
 
 #include <string>
+
+// 9.3, New Features, "ABI Namespace": an inline namespace around VTK's classes, unnamed by default.
+#ifndef VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_END
+#endif
 
 /**
  * Declares WriteFile(), with which a subclass of vtkWriter writes, and arranges its call. It

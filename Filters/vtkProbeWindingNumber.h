@@ -68,6 +68,7 @@
 #include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for the options of counting
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkSmartPointer.h"           // for the controller
 
 #include <memory>
@@ -77,6 +78,8 @@ namespace vtkInsideOut
 {
 class FailTogether;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 class vtkDataObject;
 class vtkPolyData;
@@ -271,5 +274,6 @@ private:
   Internal* Last; ///< what the last update left for IsInsideSurface
   const std::unique_ptr<vtkInsideOut::FailTogether> Failures;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

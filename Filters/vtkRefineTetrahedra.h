@@ -46,10 +46,12 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutRange.h"         // for setters with a range
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkRefineTetrahedra : public vtkUnstructuredGridAlgorithm
@@ -175,5 +177,6 @@ private:
   vtkRefineTetrahedra(const vtkRefineTetrahedra&) = delete;
   void operator=(const vtkRefineTetrahedra&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

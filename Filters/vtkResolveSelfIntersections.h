@@ -31,10 +31,12 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for the options of counting
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSINSIDEOUT_EXPORT vtkResolveSelfIntersections : public vtkPolyDataAlgorithm
 {
 public:
@@ -60,5 +62,6 @@ private:
   vtkResolveSelfIntersections(const vtkResolveSelfIntersections&) = delete;
   void operator=(const vtkResolveSelfIntersections&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

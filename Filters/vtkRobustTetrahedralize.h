@@ -81,19 +81,22 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for TouchTolerance
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkSmartPointer.h"           // for the stages
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory>
 #include <string>
 
-class vtkDataObject;
-class vtkGeneralizedWindingNumber;
-class vtkGraphCutSegmentation;
 namespace vtkInsideOut
 {
 class AlgorithmMonitor;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
+class vtkGeneralizedWindingNumber;
+class vtkGraphCutSegmentation;
 class vtkPolyData;
 class vtkRefineTetrahedra;
 
@@ -414,5 +417,6 @@ private:
   vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;
   void operator=(const vtkRobustTetrahedralize&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -39,12 +39,14 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for the options of counting
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkSmartPointer.h"           // for the stages
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkGraphCutSegmentation;
 class vtkPolyData;
@@ -188,5 +190,6 @@ private:
   vtkRobustTriangulate(const vtkRobustTriangulate&) = delete;
   void operator=(const vtkRobustTriangulate&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

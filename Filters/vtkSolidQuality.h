@@ -56,8 +56,10 @@
 #define vtkSolidQuality_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkUnstructuredGridAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSINSIDEOUT_EXPORT vtkSolidQuality : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -78,5 +80,6 @@ private:
   vtkSolidQuality(const vtkSolidQuality&) = delete;
   void operator=(const vtkSolidQuality&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

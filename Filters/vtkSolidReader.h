@@ -38,8 +38,10 @@
 #define vtkSolidReader_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkUnstructuredGridAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkSolidReader : public vtkUnstructuredGridAlgorithm
@@ -72,5 +74,6 @@ private:
   vtkSolidReader(const vtkSolidReader&) = delete;
   void operator=(const vtkSolidReader&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

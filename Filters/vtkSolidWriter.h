@@ -50,9 +50,10 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutRange.h"         // for setters with a range
-#include "vtkInsideOutVersions.h"      // for what a writer overrides
+#include "vtkInsideOutVersions.h"      // for what a writer overrides, the ABI namespace
 #include "vtkWriter.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkSolidWriter : public vtkWriter
@@ -121,5 +122,6 @@ private:
   vtkSolidWriter(const vtkSolidWriter&) = delete;
   void operator=(const vtkSolidWriter&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

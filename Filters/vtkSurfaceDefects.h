@@ -64,10 +64,12 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for the options of counting
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // for the verdict
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFieldData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceDefects : public vtkPolyDataAlgorithm
@@ -121,5 +123,6 @@ private:
   vtkSurfaceDefects(const vtkSurfaceDefects&) = delete;
   void operator=(const vtkSurfaceDefects&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -23,8 +23,10 @@
 #define vtkSurfaceReader_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkPolyDataAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceReader : public vtkPolyDataAlgorithm
 {
 public:
@@ -54,5 +56,6 @@ private:
   vtkSurfaceReader(const vtkSurfaceReader&) = delete;
   void operator=(const vtkSurfaceReader&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -31,9 +31,10 @@
 #define vtkSurfaceWriter_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
-#include "vtkInsideOutVersions.h"      // for what a writer overrides
+#include "vtkInsideOutVersions.h"      // for what a writer overrides, the ABI namespace
 #include "vtkWriter.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceWriter : public vtkWriter
@@ -68,5 +69,6 @@ private:
   vtkSurfaceWriter(const vtkSurfaceWriter&) = delete;
   void operator=(const vtkSurfaceWriter&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -22,7 +22,9 @@
 
 #include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkVoxelFractions : public vtkDataSetAlgorithm
@@ -54,5 +56,6 @@ private:
   vtkVoxelFractions(const vtkVoxelFractions&) = delete;
   void operator=(const vtkVoxelFractions&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

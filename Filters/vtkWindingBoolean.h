@@ -55,11 +55,13 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for the options of counting
+#include "vtkInsideOutVersions.h"      // for the ABI namespace
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // for the expression
 #include <vector> // for the names
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkUnstructuredGrid;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkWindingBoolean : public vtkPolyDataAlgorithm
@@ -170,5 +172,6 @@ private:
   vtkWindingBoolean(const vtkWindingBoolean&) = delete;
   void operator=(const vtkWindingBoolean&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

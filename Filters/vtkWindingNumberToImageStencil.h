@@ -24,9 +24,11 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkImageStencilSource.h"
 #include "vtkInsideOutCounting.h" // for the options of counting
+#include "vtkInsideOutVersions.h" // for the ABI namespace
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkWindingNumberToImageStencil : public vtkImageStencilSource
@@ -70,5 +72,6 @@ private:
   vtkWindingNumberToImageStencil(const vtkWindingNumberToImageStencil&) = delete;
   void operator=(const vtkWindingNumberToImageStencil&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

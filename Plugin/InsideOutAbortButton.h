@@ -25,8 +25,10 @@ class pqPipelineSource;
 class pqProgressManager;
 class pqProxy;
 class QToolButton;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkObject;
+VTK_ABI_NAMESPACE_END
 
 class InsideOutAbortButton : public QObject
 {

@@ -24,7 +24,8 @@ KEPT = {
     "Filters/Core/Upper/Tower.h": '#include "Ground/Base.h"\n',
     "Filters/Core/Upper/Tower.cxx": '#include "Upper/Tower.h"\n',
     "Filters/README.md": "`vtkHouse`, `Wine`, `Beam`\n",
-    "Filters/vtkHouse.h": "/**\n * @class vtkHouse\n * @brief has rooms\n */\nclass EXPORT vtkHouse : public vtkBuilding\n{\n};\n",
+    "Filters/vtkHouse.h": "/**\n * @class vtkHouse\n * @brief has rooms\n */\nVTK_ABI_NAMESPACE_BEGIN\n"
+    "class EXPORT vtkHouse : public vtkBuilding\n{\n};\nVTK_ABI_NAMESPACE_END\n",
     "Filters/Rooms.txt": "Cellar\nAttic\n",
     "Filters/Cellar/Wine.h": '#include "Ground/Base.h"\n#include "vtkBuilding.h"\n',
     "Filters/Attic/Beam.h": '#include "Cellar/Wine.h"\n',
@@ -203,6 +204,15 @@ class TestStructureRules(unittest.TestCase):
         for second in ("struct Beam;\n", "  struct Beam\n  {\n  };\n", "// struct Beam\n{\n", "Beam Make();\n"):
             texts = {"Filters/Core/Ground/Base.h": "struct Beam\n{\n};\n", name: second}
             self.assertEqual(self.complaints(**texts), [])
+
+    def test_headers_declare_classes_of_vtk_in_its_abi_namespace(self):
+        within = "VTK_ABI_NAMESPACE_BEGIN\nclass vtkBeam;\nVTK_ABI_NAMESPACE_END\n"
+        kept = "class Door;\nclass vtkdoor;\n// class vtkDoor;\n" + within
+        for name in ("Filters/Attic/Beam.h", "Plugin/Door.h"):
+            self.assertEqual(self.complaints(**{name: kept}), [])
+            for broken in ("class vtkBeam;\n", "struct EXPORT vtkBeam : public vtkWood\n{\n};\n"):
+                for text in (broken + within, within + broken, within + broken + within):
+                    self.expect_one(name, "vtkBeam is not in VTK's ABI namespace", **{name: text})
 
     def test_documented_classes_are_there(self):
         name = "Filters/vtkHouse.h"

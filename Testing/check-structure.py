@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rules of the tree's structure: the top level, the order of the rooms, a page that names each file, short functions,
-documented classes, and a name of its own for each type.
+documented classes, a name of its own for each type, and VTK's ABI namespace.
 
     python3 check-structure.py [ROOT]
 
@@ -250,9 +250,17 @@ def check_names(root: Path) -> Iterator[str]:
                 yield f"{file.relative_to(root)}: {name} is declared in {other.relative_to(root)}, too"
 
 
+def check_abi_namespace(root: Path) -> Iterator[str]:
+    """Headers declare VTK's classes in its ABI namespace: elsewhere they would be other classes where it has a name."""
+    for file in (file for folder in ("Filters", "Plugin") for file in files_in(root / folder, (".h",))):
+        outside = re.sub(r"^VTK_ABI_NAMESPACE_BEGIN$.*?^VTK_ABI_NAMESPACE_END$", "", code_of(read(file)), flags=re.MULTILINE | re.DOTALL)
+        for name in re.findall(r"^(?:class|struct) (?:\w+ )?(vtk[A-Z]\w*)\b", outside, re.MULTILINE):
+            yield f"{file.relative_to(root)}: {name} is not in VTK's ABI namespace"
+
+
 def check(root: Path) -> list[str]:
     """What breaks a rule, one line each."""
-    rules = (check_top_level, check_rooms, check_pages, check_links, check_functions, check_classes, check_names)
+    rules = (check_top_level, check_rooms, check_pages, check_links, check_functions, check_classes, check_names, check_abi_namespace)
     return [complaint for rule in rules for complaint in rule(root)]
 
 

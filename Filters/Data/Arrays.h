@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Common/Types.h"
+#include "Data/VtkClasses.h"
 
 #include <vtkCellArray.h>
 #include <vtkIdTypeArray.h>
@@ -13,9 +14,6 @@
 #include <algorithm>
 #include <string>
 #include <vector>
-
-class vtkDataSet;
-class vtkStringArray;
 
 namespace vtkInsideOut
 {

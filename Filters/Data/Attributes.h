@@ -7,18 +7,13 @@
 
 #include "Common/Edge.h"
 #include "Common/FacetComplex.h"
+#include "Data/VtkClasses.h"
 
 #include <vtkType.h>
 
 #include <initializer_list>
 #include <string>
 #include <vector>
-
-class vtkCellData;
-class vtkDataSet;
-class vtkDataSetAttributes;
-class vtkFieldData;
-class vtkPointData;
 
 namespace vtkInsideOut
 {

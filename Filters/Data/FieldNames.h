@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Data/VtkClasses.h"
+
 #include <string>
 #include <vector>
-
-class vtkFieldData;
 
 namespace vtkInsideOut
 {

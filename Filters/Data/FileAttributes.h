@@ -5,14 +5,12 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "Files/SurfaceFile.h"
 
 #include <vtkType.h>
 
 #include <vector>
-
-class vtkDataSetAttributes;
-class vtkFieldData;
 
 namespace vtkInsideOut
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
+#include "Data/VtkClasses.h"
 
-class vtkObject;
+#include <string>
 
 namespace vtkInsideOut
 {

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "Common/Statistics.h"
-
-class vtkDataObject;
-class vtkFieldData;
+#include "Data/VtkClasses.h"
 
 namespace vtkInsideOut
 {

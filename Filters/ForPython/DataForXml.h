@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vtkSmartPointer.h>
+#include "Data/VtkClasses.h"
 
-class vtkDataSet;
+#include <vtkSmartPointer.h>
 
 namespace vtkInsideOut
 {

@@ -8,15 +8,13 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
+
 #include <vtkType.h>
 
 #include <functional>
 #include <string>
 #include <vector>
-
-class vtkAlgorithm;
-class vtkDataObject;
-class vtkInformation;
 
 namespace vtkInsideOut
 {

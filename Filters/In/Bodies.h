@@ -6,14 +6,11 @@
 
 #include "Boolean/BodyRegions.h"
 #include "Boolean/SegmentBodies.h"
+#include "Data/VtkClasses.h"
 #include "HullMesh.h"
 #include "In/ReadSurface.h"
 #include "In/Tags.h"
 #include "Output/RegionBoundaries.h"
-
-class vtkDataObject;
-class vtkPointSet;
-class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {

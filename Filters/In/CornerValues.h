@@ -2,12 +2,11 @@
 /** @file Cell labels given as a point array, as in surfaces of segmented images. */
 #pragma once
 
+#include "Data/VtkClasses.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
-
-class vtkAbstractArray;
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

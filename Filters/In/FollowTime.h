@@ -6,7 +6,7 @@
  */
 #pragma once
 
-class vtkAlgorithm;
+#include "Data/VtkClasses.h"
 
 namespace vtkInsideOut
 {

@@ -10,15 +10,11 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
-
-class vtkAlgorithm;
-class vtkDataObject;
-class vtkDataSet;
-class vtkPolyData;
-class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {

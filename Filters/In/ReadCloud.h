@@ -5,11 +5,9 @@
 #pragma once
 
 #include "Clouds/PointCloud.h"
+#include "Data/VtkClasses.h"
 
 #include <string>
-
-class vtkDataArray;
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "Orient/OrientFacets.h"
 #include "Planar/FindPlane.h"
 #include "Planar/PlanarCurve.h"
@@ -14,8 +15,6 @@
 
 #include <string>
 #include <vector>
-
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

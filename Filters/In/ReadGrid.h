@@ -7,15 +7,13 @@
 
 #include "Common/LayerCells.h"
 #include "Common/TetrahedralMesh.h"
+#include "Data/VtkClasses.h"
 #include "GraphCut/CellParts.h"
 
 #include <vtkType.h>
 
 #include <string>
 #include <vector>
-
-class vtkDataArray;
-class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {

@@ -3,10 +3,9 @@
 #pragma once
 
 #include "Boolean/Body.h"
+#include "Data/VtkClasses.h"
 #include "In/ReadSurface.h"
 #include "In/TagsOfBodies.h"
-
-class vtkInformationVector;
 
 namespace vtkInsideOut
 {

@@ -3,12 +3,11 @@
 #pragma once
 
 #include "Common/Types.h"
+#include "Data/VtkClasses.h"
 
 #include <functional>
 #include <string>
 #include <vector>
-
-class vtkDataSet;
 
 namespace vtkInsideOut
 {

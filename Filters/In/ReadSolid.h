@@ -5,11 +5,9 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "Files/SolidFile.h"
 #include "Quality/SolverFitness.h"
-
-class vtkDataObject;
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

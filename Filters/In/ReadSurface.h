@@ -6,6 +6,7 @@
 #pragma once
 
 #include "Common/FacetComplex.h"
+#include "Data/VtkClasses.h"
 #include "Files/SurfaceFile.h"
 
 #include <vtkSmartPointer.h>
@@ -13,9 +14,6 @@
 
 #include <string>
 #include <vector>
-
-class vtkDataArray;
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

@@ -6,13 +6,10 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "GraphCut/Seeds.h"
 
 #include <vtkSmartPointer.h>
-
-class vtkInformation;
-class vtkInformationVector;
-class vtkPointSet;
 
 namespace vtkInsideOut
 {

@@ -6,15 +6,12 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
 #include "Refine/RefineTetrahedra.h"
 
 #include <vtkSmartPointer.h>
-
-class vtkGeneralizedWindingNumber;
-class vtkGraphCutSegmentation;
-class vtkRefineTetrahedra;
 
 namespace vtkInsideOut
 {

@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "In/Blocks.h"
 
 #include <vtkSmartPointer.h>
@@ -12,8 +13,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

@@ -2,13 +2,12 @@
 /** @file Tags of several bodies on one surface: groups of different bodies are different tags. */
 #pragma once
 
+#include "Data/VtkClasses.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
-
-class vtkPolyData;
-class vtkStringArray;
 
 namespace vtkInsideOut
 {

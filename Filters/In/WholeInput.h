@@ -9,9 +9,7 @@
  */
 #pragma once
 
-class vtkAlgorithm;
-class vtkInformation;
-class vtkInformationVector;
+#include "Data/VtkClasses.h"
 
 namespace vtkInsideOut
 {

@@ -6,13 +6,12 @@
 #pragma once
 
 #include "Common/TetrahedralMesh.h"
+#include "Data/VtkClasses.h"
 #include "Layers/BoundaryLayers.h"
 
 #include <vtkSmartPointer.h>
 
 #include <vector>
-
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

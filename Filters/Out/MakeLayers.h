@@ -3,15 +3,13 @@
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Data/VtkClasses.h"
 #include "Layers/BoundaryLayers.h"
 
 #include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
-
-class vtkPolyData;
-class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {

@@ -2,6 +2,7 @@
 /** @file Makes VTK's data sets from the results of the stages. */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "Defects/SurfaceDefects.h"
 #include "HullMesh.h"
 #include "In/ReadSurface.h"
@@ -11,9 +12,6 @@
 #include "Output/Outliers.h"
 
 #include <initializer_list>
-
-class vtkDataSet;
-class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {

@@ -5,12 +5,10 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "Files/SolidFile.h"
 
 #include <vtkSmartPointer.h>
-
-class vtkPolyData;
-class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {

@@ -2,6 +2,7 @@
 /** @file From a curve in a plane to data sets: the work of vtkRobustTriangulate. */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "GraphCut/SegmentMesh.h"
 #include "In/ReadCurve.h"
 #include "In/Tags.h"
@@ -9,8 +10,6 @@
 #include "Refine/RefineTetrahedra.h"
 
 #include <tuple>
-
-class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {

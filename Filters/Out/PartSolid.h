@@ -6,13 +6,12 @@
 #pragma once
 
 #include "Common/Statistics.h"
+#include "Data/VtkClasses.h"
 #include "HullMesh.h"
 #include "Output/ManifoldBoundary.h"
 #include "Output/PartedSolid.h"
 
 #include <vtkSmartPointer.h>
-
-class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {

@@ -2,6 +2,7 @@
 /** @file The boundary of a refined grid, with the data of the original boundary. */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "Refine/RefineTetrahedra.h"
 
 #include <vtkSmartPointer.h>
@@ -9,8 +10,6 @@
 #include <array>
 #include <string>
 #include <vector>
-
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

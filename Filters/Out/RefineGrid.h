@@ -4,6 +4,7 @@
 
 #include "Common/Monitor.h"
 #include "Common/Statistics.h"
+#include "Data/VtkClasses.h"
 #include "Output/MassProperties.h"
 #include "Refine/RefineTetrahedra.h"
 
@@ -11,9 +12,6 @@
 
 #include <string>
 #include <vector>
-
-class vtkPolyData;
-class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {

@@ -6,10 +6,9 @@
 #pragma once
 
 #include "Boolean/BodyRegions.h"
+#include "Data/VtkClasses.h"
 #include "GraphCut/SegmentMesh.h"
 #include "Out/KeptHull.h"
-
-class vtkPointSet;
 
 namespace vtkInsideOut
 {

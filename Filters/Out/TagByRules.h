@@ -5,12 +5,11 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "Output/TagRules.h"
 
 #include <string>
 #include <vector>
-
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

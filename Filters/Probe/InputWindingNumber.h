@@ -4,6 +4,7 @@
 
 #include "Clouds/CloudWindingNumber.h"
 #include "Common/Stages.h"
+#include "Data/VtkClasses.h"
 #include "Distance/SurfaceDistance.h"
 #include "In/StageParameters.h"
 #include "Planar/CurveWindingNumber.h"
@@ -13,8 +14,6 @@
 #include <vtkType.h>
 
 #include <memory>
-
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

@@ -2,12 +2,11 @@
 /** @file The query points of a data set: its points, or the centers of its cells. */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "Probe/InputWindingNumber.h"
 
 #include <functional>
 #include <vector>
-
-class vtkDataSet;
 
 namespace vtkInsideOut
 {

@@ -5,15 +5,13 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
+
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <string>
 #include <vector>
-
-class vtkDataObjectTree;
-class vtkMultiProcessController;
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

@@ -13,10 +13,7 @@
  */
 #pragma once
 
-class vtkAlgorithm;
-class vtkInformation;
-class vtkInformationRequestKey;
-class vtkMultiProcessController;
+#include "Data/VtkClasses.h"
 
 namespace vtkInsideOut
 {

@@ -7,14 +7,12 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
-
-class vtkInformation;
-class vtkMultiProcessController;
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

@@ -10,15 +10,13 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
 #include "Probe/InputWindingNumber.h"
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
-
-class vtkMultiProcessController;
-class vtkPolyData;
 
 namespace vtkInsideOut
 {

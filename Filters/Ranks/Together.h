@@ -5,10 +5,10 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
+
 #include <functional>
 #include <string>
-
-class vtkMultiProcessController;
 
 namespace vtkInsideOut
 {

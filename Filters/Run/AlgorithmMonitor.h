@@ -6,12 +6,11 @@
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Data/VtkClasses.h"
 
 #include <chrono>
 #include <string>
 #include <vector>
-
-class vtkAlgorithm;
 
 namespace vtkInsideOut
 {

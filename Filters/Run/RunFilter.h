@@ -5,14 +5,12 @@
  */
 #pragma once
 
+#include "Data/VtkClasses.h"
+
 #include <exception>
 #include <functional>
 #include <string>
 #include <vector>
-
-class vtkAlgorithm;
-class vtkInformationVector;
-class vtkMultiProcessController;
 
 namespace vtkInsideOut
 {
