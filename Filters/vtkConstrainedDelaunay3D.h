@@ -5,29 +5,29 @@
  *
  * Takes a surface whose facets do not cross (vtkResolveSelfIntersections makes one) and fills its
  * convex hull with tetrahedra. Every facet is a union of their faces, every vertex one of their
- * points. Steiner points are added only where necessary. By default flips and cuts by exact
- * predicates recover the facets in this process. If they lose a facet, or if Engine requires it,
- * TetGen is run in a separate program, insideout-tetgen, so that it cannot crash the host. The
- * environment variable INSIDEOUT_TETGEN names another path of that program.
+ * points. Steiner points are added only where necessary. By default the facets are recovered in
+ * this process, by flips and cuts with exact predicates. If a facet is lost, or if Engine requires
+ * it, TetGen is run in a separate program, insideout-tetgen, so that it cannot crash the host. The
+ * environment variable INSIDEOUT_TETGEN can name another path of that program.
  *
  * The result is checked with exact predicates. If facets cross or a budget is used up, all methods
- * may lose facets. Then the mesh that loses fewest is taken, in the last resort the Delaunay
- * tetrahedra of the points. Warnings name the method of the mesh and the reasons against the
- * others; GetRungName of the statistic Rung names it.
+ * may lose facets. Then the mesh that loses the fewest is taken, as a last resort the Delaunay
+ * tetrahedra of the points. Warnings name the method that made the mesh and the reasons against the
+ * others; GetRungName(Rung), with the statistic Rung, names it, too.
  *
- * Output: positively oriented vtkTetra, with the input's point data: interpolated on facets, NaN
- * (0 for integers) in the volume. Arrays of four components have one for each face in VTK's order.
+ * Output: positively oriented vtkTetra, with the input's point data: interpolated on facets, NaN (0
+ * for integers) in the volume. Arrays of four components have one for each face in VTK's order.
  * - FacetIds (vtkIdType, cells, 4 components): the input cell that the face lies on, -1 for none;
- *   of several one whose normal leaves the cell, else the lowest
+ *   if there are several, one whose normal leaves the cell, else the lowest
  * - FacetMultiplicity (short, cells, 4 components): jump of the winding number on entering the cell
- *   there
+ *   through the face
  * - vtkOriginalPointIds (vtkIdType, points): the input's point, -1 for a Steiner point
  * - LostCellIds (vtkIdType, field data): input cells of facets that the mesh does not follow
  * - Statistics, StatisticsNames (double and string, field data): figures and their names: Rung,
  *   HullPoints, HullCells, SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT
  *
- * Errors, with an empty output: facets that cross, points not finite or ids out of range; lines,
- * and polygons in one plane, which are for vtkRobustTriangulate.
+ * Errors, with an empty output: facets that cross; points that are not finite; ids out of range;
+ * lines, or polygons in one plane, which vtkRobustTriangulate takes.
  *
  * @sa vtkResolveSelfIntersections vtkGeneralizedWindingNumber
  */
@@ -57,11 +57,11 @@ public:
     ///@}
 
     ///@{
-    /** What makes the tetrahedra: vtkInsideOutEngine.h describes these options. */
+    /** The engine and its budgets: vtkInsideOutEngine.h describes these options. */
     vtkInsideOutEngineMacro() vtkInsideOutTimeBudgetMacro() vtkInsideOutMemoryBudgetMacro()
     ///@}
 
-    /** What tetrahedralizes in rung 1, 2 ... of the ladder, in words; nullptr beyond its end. */
+    /** Name of method 1, 2 ... in the order in which they are tried; nullptr after the last. */
     static const char* GetRungName(int rung);
 
 protected:

@@ -6,7 +6,7 @@
  * Takes surfaces as the blocks of a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection, as
  * several processes (MPI ranks) have read them, and gives each process whole parts, with balanced
  * work. Downstream filters of this module then work in all processes at once; otherwise the first
- * would do all work. A single process passes its input as it is.
+ * process would do all the work. A single process passes its input through.
  *
  * A part is a block, or a partitioned (multi-piece) data set as a whole. The MPI pieces of a part
  * are joined, in their order and without ghost cells. The part keeps the arrays that all its pieces
@@ -21,9 +21,9 @@
  * error. Data other than vtkPolyData are left out, with a warning.
  *
  * No downstream filter waits for other processes. So an error in a part names its block, and does
- * not affect the solids of other parts. Only if the whole input of a process fails, such as an
- * unreadable file, no process has an output, because parts may be in pieces and would be
- * incomplete. An error in each process names the failed one.
+ * not affect the solids of other parts. If the whole input of a process fails, for example an
+ * unreadable file, no process has an output, because parts in several pieces would be incomplete.
+ * An error in each process names the failed one.
  *
  * @sa vtkRobustTetrahedralize vtkProbeWindingNumber
  */
@@ -54,9 +54,9 @@ public:
 
   ///@{
   /**
-   * The processes to spread parts over, where each of them is asked for its own piece of the
-   * output, as in pvserver and pvbatch, or by UpdatePiece(rank, ranks, 0). Default
-   * vtkMultiProcessController's global one; none is this process alone.
+   * The controller of the processes among which parts are distributed. Each process must request
+   * its own piece of the output, as in pvserver and pvbatch, or by UpdatePiece(rank, ranks, 0).
+   * Default vtkMultiProcessController's global one; null: this process alone.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

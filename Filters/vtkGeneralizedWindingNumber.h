@@ -16,17 +16,16 @@
  *   holes
  * - TurnedCellIds (vtkIdType, field data): input cells that the orientation turned over
  *
- * Statistics of the orientation: Shells (sets of facets that face one way together), of these
- * ClosedShells, HoledShells, SheetShells (which enclose nothing, and count only if they seal off
- * space; SheetShare is their share of the area, with facets that count 0), Membranes (sheets
- * within the solid or across it, which do not count; MembraneFacets, MembraneShare of the area),
- * UncountedSheets (outside, sealing off no space) and Cavities (that face inward); TurnedShells and
- * TurnedFacets (that were turned over), TurnedShare (of the area), DisagreeingFacets (that were
- * given against their shells), UndecidedShells (that might as well face the other way). Where
- * facets disagree, DoubtfulCopies are those given again whose copies do not count, cancel or face
- * both ways.
+ * Statistics of the orientation: Shells (sets of connected facets with consistent orientation),
+ * divided into ClosedShells, HoledShells and SheetShells (which enclose nothing, and count only if
+ * they seal off space). SheetShare is the area share of sheets and of facets that do not count.
+ * Membranes are sheets within the solid or across it, which do not count (with MembraneFacets, and
+ * MembraneShare of the area). UncountedSheets lie outside and seal off no space. Cavities are
+ * shells that face inward. TurnedShells and TurnedFacets were turned over (TurnedShare of the
+ * area). DisagreeingFacets were oriented against their shells; UndecidedShells fit either way. If
+ * facets disagree, DoubtfulCopies counts duplicates that do not count, cancel or face both ways.
  *
- * Lines, and polygons in one plane without Thicken, are errors: they are for vtkRobustTriangulate.
+ * Lines, and polygons in one plane without Thicken, are errors: use vtkRobustTriangulate.
  *
  * @sa vtkResolveSelfIntersections vtkConstrainedDelaunay3D vtkGraphCutSegmentation
  */
@@ -56,15 +55,16 @@ public:
     ///@}
 
     ///@{
-    /** What makes the tetrahedra: vtkInsideOutEngine.h describes these options. */
+    /** The engine and its budgets: vtkInsideOutEngine.h describes these options. */
     vtkInsideOutEngineMacro() vtkInsideOutTimeBudgetMacro() vtkInsideOutMemoryBudgetMacro()
     ///@}
 
     ///@{
     /**
-     * Thickness given to sheets, which enclose nothing, in units of the surface. Default 0: sheets
-     * bound nothing. Range 0 to infinity. A sheet becomes a closed slab, half before the facets and
-     * half behind, that joins what it touches; the facets stay as faces within.
+     * Thickness of the slabs that sheets become, in units of the surface. Default 0: sheets bound
+     * nothing. Range 0 to infinity. A sheet is an open shell that encloses nothing. It becomes a
+     * closed slab, half in front of the facets and half behind, joined with the solid that it
+     * touches; the facets stay as faces within.
      */
     vtkInsideOutSetRangeMacro(Thicken, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Thicken, double);
@@ -79,10 +79,10 @@ public:
 
   ///@{
   /**
-   * Degree of the polynomials that the average of w over a cell integrates exactly. It matters near
-   * the holes of open surfaces only. Default 1: w at the barycenter. Range 1 to 5. Orders 2 to 5
-   * evaluate w at 4, 8, 14 and 14 points. Next to an open edge w depends on the direction from the
-   * edge, and high orders gain little there.
+   * Degree of the quadrature that averages w over a cell; it matters only near the holes of open
+   * surfaces. Default 1: w at the barycenter. Range 1 to 5. Orders 2 to 5 evaluate w at 4, 8, 14
+   * and 14 points. Next to an open edge w depends on the direction from the edge, and high orders
+   * gain little there.
    */
   vtkInsideOutSetRangeMacro(QuadratureOrder, int, 1, 5);
   vtkGetMacro(QuadratureOrder, int);

@@ -7,22 +7,22 @@
  * array w of one component. Finds the labelling of least energy (Jacobson, Kavan and
  * Sorkine-Hornung 2013, equations 8.8 to 8.10) by a minimum cut: cells with large w tend to be
  * inside, and neighbors with nearly equal w tend to have the same label. The result is a global
- * minimum; of several, that with the fewest cells inside.
+ * minimum, and of several minima the one with the fewest cells inside.
  *
  * Output: the input's cells with their data, or with ExtractInside, the default, only the cells
  * inside.
  * - Inside (unsigned char, cells): 1 inside, 0 outside
  *
- * Statistics: InsideCells, Energy and SecondsCut. On tetrahedra also: EnergyOfCut, before the
- * constraints; ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells
- * (labelled inside for a constraint), ChangedCells (changed by all constraints); UnsatisfiedFacets
- * (pieces that seeds keep outside, or of dropped regions), NonManifoldPoints (that remain),
- * SeedConflicts; DroppedRegions, DroppedVolume, FilledCavities, FilledVolume, JoinedRegions (paths
- * made between two), EnergyBeforeTopology; SplitPoints (copies by NonManifold of the kind Split)
- * and NonManifoldEdges (0 except in overlaps).
+ * Statistics: InsideCells, Energy and SecondsCut. On tetrahedra also: EnergyOfCut (before the
+ * constraints); ForcedFacets (pieces of facets for which a cell was labelled inside), ForcedCells
+ * (labelled inside by constraints), ChangedCells (by all constraints); UnsatisfiedFacets (pieces
+ * not kept, because of seeds or dropped regions), NonManifoldPoints (remaining), SeedConflicts;
+ * DroppedRegions, DroppedVolume, FilledCavities, FilledVolume, JoinedRegions (paths made between
+ * two regions), EnergyBeforeTopology; SplitPoints (copies made by NONMANIFOLD_SPLIT) and
+ * NonManifoldEdges (0 except in overlaps).
  *
- * Seeds, ConstrainFacets, NonManifold, the choice of regions and Topology take grids of tetrahedra,
- * and Topology a convex one.
+ * Seeds, ConstrainFacets, NonManifold, the choice of regions and Topology require tetrahedra;
+ * Topology requires a convex grid, too.
  *
  * @sa vtkGeneralizedWindingNumber
  */
@@ -46,9 +46,9 @@ public:
 
   ///@{
   /**
-   * Weight of a smooth boundary against w, the winding number, without unit. 0 takes every cell
-   * with w above 1/2; larger values cut off and fill up thin parts where w is unsure. Default 2.
-   * Range 0 to infinity.
+   * Weight of a smooth boundary against the winding number w. 0: every cell with w above 1/2 is
+   * inside; larger values cut off or fill thin parts where w is near 1/2. Default 2. Range 0 to
+   * infinity.
    */
   vtkInsideOutSetRangeMacro(Gamma, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Gamma, double);
@@ -56,15 +56,14 @@ public:
 
   ///@{
   /**
-   * Step of w between neighboring cells that may be noise. Default 0.15. Range 1e-6 to infinity.
-   * Cutting along steps several times larger costs nothing; along smaller ones it costs up to
-   * Gamma.
+   * Step of w between neighboring cells that counts as noise. Default 0.15. Range 1e-6 to infinity.
+   * A boundary along much larger steps costs nothing; along smaller steps it costs up to Gamma.
    */
   vtkInsideOutSetRangeMacro(Sigma, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);
   ///@}
 
-  /** How much a cell's own winding number counts against the others'. */
+  /** Weight of a cell's own winding number. */
   enum DataTermType
   {
     UNIFORM = 0,        ///< every cell the same
@@ -73,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Weight of a cell's own winding number. UNIFORM: every cell counts the same, which keeps what is
-   * thin. VOLUME_WEIGHTED: cells count by volume, so that slivers do not outvote large cells.
+   * Weight of a cell's own winding number. UNIFORM: every cell counts the same, which keeps thin
+   * parts. VOLUME_WEIGHTED: cells count by volume, so that slivers do not outvote large cells.
    * Default UNIFORM.
    */
   vtkInsideOutSetRangeMacro(DataTerm, int, UNIFORM, VOLUME_WEIGHTED);
@@ -92,7 +91,7 @@ public:
   vtkBooleanMacro(ConstrainFacets, bool);
   ///@}
 
-  /** Treatment of the solid's boundary where it is no 2-manifold. */
+  /** Treatment of edges and points where the boundary is not a 2-manifold. */
   enum NonManifoldType
   {
     NONMANIFOLD_KEEP = 0, ///< it stays so
@@ -102,13 +101,12 @@ public:
 
   ///@{
   /**
-   * Treatment of a boundary that is no 2-manifold. NONMANIFOLD_KEEP leaves it so, NONMANIFOLD_FILL
-   * adds cells, NONMANIFOLD_SPLIT copies points, so that parts that touch share none. Default
-   * NONMANIFOLD_KEEP. A 2-manifold has two faces at each edge and one fan of faces at each point.
-   * After NONMANIFOLD_FILL what is inside is a local minimum. NONMANIFOLD_SPLIT copies points where
-   * parts of the solid touch in points or edges and are not joined through faces around these;
-   * cells stay, but for their points' ids, and vtkOriginalPointIds are those of the copied points.
-   * Both require tetrahedra; NONMANIFOLD_SPLIT requires ExtractInside.
+   * Treatment of edges and points where the solid touches itself. NONMANIFOLD_KEEP leaves them,
+   * NONMANIFOLD_FILL adds cells there, NONMANIFOLD_SPLIT copies the points, so that touching parts
+   * share none. Default NONMANIFOLD_KEEP. The others make the boundary a 2-manifold: two faces at
+   * each edge, one fan of faces at each point. The result of NONMANIFOLD_FILL is a local minimum.
+   * NONMANIFOLD_SPLIT changes only point ids of cells; copies have the vtkOriginalPointIds of their
+   * originals. Both require tetrahedra; NONMANIFOLD_SPLIT requires ExtractInside.
    */
   vtkInsideOutSetRangeMacro(NonManifold, int, NONMANIFOLD_KEEP, NONMANIFOLD_SPLIT);
   vtkGetMacro(NonManifold, int);
@@ -119,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Number of regions that stay at most, the largest by volume, in a plane by area. A region is a
-   * part that faces connect. Default 0: any number. Range 0 to infinity. The statistics
+   * Keep at most this number of regions, the largest by volume, in a plane by area. A region is a
+   * part connected through faces. Default 0: any number. Range 0 to infinity. The statistics
    * DroppedRegions and DroppedVolume count what is dropped; its facets are outliers. A seed in a
    * dropped region counts in SeedConflicts, with a warning. Requires tetrahedra, as the following
    * options do.
@@ -130,14 +128,14 @@ public:
   ///@}
 
   ///@{
-  /** Volume below which regions are dropped, in a plane area, in units of the input. Default 0:
+  /** Drop regions with less than this volume, in a plane area, in units of the input. Default 0:
    * none. Range 0 to infinity. */
   vtkInsideOutSetRangeMacro(MinimumRegionVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumRegionVolume, double);
   ///@}
 
   ///@{
-  /** Drop regions without a seed that is to be inside. Default off. */
+  /** Drop regions that contain no seed with Inside 1. Default off. */
   vtkSetMacro(SeededRegions, bool);
   vtkGetMacro(SeededRegions, bool);
   vtkBooleanMacro(SeededRegions, bool);
@@ -146,32 +144,32 @@ public:
   ///@{
   /**
    * Fill the cavities that the solid encloses, in a plane its holes. Default off. Regions are
-   * dropped first. Cavities with a seed that is to be outside stay. The statistics FilledCavities
-   * and FilledVolume count the others.
+   * dropped first. Cavities that contain a seed with Inside 0 stay. The statistics FilledCavities
+   * and FilledVolume count the filled ones.
    */
   vtkSetMacro(FillCavities, bool);
   vtkGetMacro(FillCavities, bool);
   vtkBooleanMacro(FillCavities, bool);
   ///@}
 
-  /** Topology that the solid is to have, once regions are dropped and cavities filled. */
+  /** Required topology of the solid, after regions were dropped and cavities filled. */
   enum TopologyType
   {
-    TOPOLOGY_ANY = 0,             ///< as the segmentation has it
+    TOPOLOGY_ANY = 0,             ///< that of the graph cut
     TOPOLOGY_ONE_COMPONENT = 1,   ///< one region
     TOPOLOGY_SIMPLY_CONNECTED = 2 ///< one region without tunnels and cavities
   };
 
   ///@{
   /**
-   * Topology that the solid is to have. TOPOLOGY_ANY: as the cut has it. TOPOLOGY_ONE_COMPONENT:
-   * regions are joined or dropped, whichever adds less energy. TOPOLOGY_SIMPLY_CONNECTED: besides,
-   * tunnels and cavities are cut open or filled. Default TOPOLOGY_ANY. Regions are joined by the
-   * cells of shortest paths between them, one after the other. A simply connected solid is a ball,
-   * in a plane a disc: tunnels are cut open by walls or filled by membranes, each in the way that
+   * Required topology of the solid. TOPOLOGY_ANY: that of the graph cut. TOPOLOGY_ONE_COMPONENT:
+   * regions are joined or dropped, whichever adds less energy. TOPOLOGY_SIMPLY_CONNECTED: in
+   * addition, tunnels and cavities are cut open or filled. Default TOPOLOGY_ANY. Regions are joined
+   * by the cells of shortest paths between them, one after the other. A simply connected solid is a
+   * ball, in a plane a disc: each tunnel is cut open by a wall or filled by a membrane, whichever
    * adds less energy. Neither result is a global minimum. Seeds, ConstrainFacets and
-   * NONMANIFOLD_FILL still hold; a warning says where they forbid the topology. The statistics have
-   * EnergyBeforeTopology, DroppedRegions and JoinedRegions.
+   * NONMANIFOLD_FILL still hold; a warning says where they prevent the topology. The statistics
+   * have EnergyBeforeTopology, DroppedRegions and JoinedRegions.
    */
   vtkInsideOutSetRangeMacro(Topology, int, TOPOLOGY_ANY, TOPOLOGY_SIMPLY_CONNECTED);
   vtkGetMacro(Topology, int);
@@ -182,10 +180,10 @@ public:
 
   ///@{
   /**
-   * Optional second input: points that have to be inside or outside, by their array Inside (1 or
-   * 0). The cell that contains such a point, of several the one of the lowest id, gets that label.
-   * Seeds win over ConstrainFacets and NonManifold; conflicts are warned about. The blocks of a
-   * composite data set are one set of seeds.
+   * Optional second input: seeds, points that must be inside or outside, by their point array
+   * Inside (1 or 0). If several cells contain a seed, the one of the lowest id gets its label.
+   * Seeds take precedence over ConstrainFacets and NonManifold; a warning counts conflicts. The
+   * blocks of a composite data set are one set of seeds.
    */
   void SetSeedsData(vtkDataObject* seeds);
   void SetSeedsConnection(vtkAlgorithmOutput* output);

@@ -13,21 +13,22 @@
  * these. EvaluateGradient gives its gradient away from the surface, analytically: zero everywhere
  * on a closed surface, and a Biot-Savart integral over the open edges of an open one.
  *
- * With SignedDistance it is the distance of the nearest polygon, negative inside. Its sign follows
- * from w, so it is right also where the surface is open or not manifold. It jumps in holes: there w
- * changes sides, but no polygon is near.
+ * With SignedDistance the function is the distance to the nearest polygon, negative inside. Its
+ * sign follows from w, so it is right also where the surface is open or not manifold. It jumps in
+ * holes, where w passes 1/2 but no polygon is near.
  *
  * Evaluation is thread-safe, as long as neither the properties nor the surface change. Without a
  * surface, or if it is invalid (an error that names the culprit), the function is 1/2: everything
  * is outside. It is NaN if x is not finite.
  *
- * For lines without polygons, which have to lie in one plane, it is the winding number of the curve
- * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
- * plane's normal is positive. Places above or below the plane have that of the place under them.
+ * For lines without polygons, which have to lie in one plane, w is the winding number of the curve
+ * there: 1 inside a curve that runs counter-clockwise, seen from the side where the largest
+ * component of the plane's normal is positive. A query point off the plane has the w of its
+ * projection onto the plane.
  *
  * Points with normals, without polygons and lines, are a point cloud, such as a scan (vertices are
- * ignored). It has the winding number of Barill, Dickson, Schmidt, Levin and Jacobson (2018): with
- * areas a, unit normals n and places p of the points
+ * ignored). Its w is that of Barill, Dickson, Schmidt, Levin and Jacobson (2018): with areas a,
+ * unit normals n and positions p of the points
  *
  *     w(q) = sum of a n . (p - q) / (4 pi |p - q|^3).
  *
@@ -37,8 +38,8 @@
  * thick as the spacing of points, and has no further meaning in this layer. Sums are by a tree of
  * expansions that err by 1e-2 of the sum of a / (4 pi |p - q|^2) at most, in practice by some 1e-4;
  * the gradient is that of the same terms and errs by some hundredths. Orientation REVERSE reverses
- * all normals, its other values none; all other options apply to polygons only. The function is
- * smooth, so that a contour of its samples is one of the surface that was scanned.
+ * all normals; its other values reverse none. All other options apply to polygons only. The
+ * function is smooth, so a contour of its samples approximates the scanned surface.
  *
  * @sa vtkProbeWindingNumber vtkImplicitPolyDataDistance
  */
@@ -62,13 +63,14 @@ public:
   vtkTypeMacro(vtkImplicitWindingNumber, vtkImplicitFunction)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** When this or the surface was changed last. */
+  /** The latest change of the function and of its surface. */
   vtkMTimeType GetMTime() override;
 
   ///@{
   /**
-   * The surface: polygons and strips. Lines and vertices beside them are ignored with a warning. Or
-   * lines alone, or points with normals alone. The blocks of a composite data set are one surface.
+   * The surface: polygons and strips (lines and vertices beside them are ignored with a warning),
+   * or lines alone, or points with normals alone. The blocks of a composite data set are one
+   * surface.
    */
   virtual void SetInput(vtkDataObject* surface);
   vtkGetObjectMacro(Input, vtkDataObject);
@@ -82,15 +84,15 @@ public:
   ///@}
 
   /**
-   * The gradient of 1/2 - w, away from the surface; zero where the surface is closed. That of the
-   * signed distance has length 1: it points away from the nearest place outside and to it inside,
-   * and on the surface itself it is zero.
+   * The gradient of 1/2 - w, away from the surface; zero where the surface is closed. The gradient
+   * of the signed distance has length 1 and points away from the nearest point of the surface
+   * outside, and toward it inside; on the surface itself it is zero.
    */
   void EvaluateGradient(double x[3], double g[3]) override;
 
   ///@{
-  /** Evaluate the distance of the nearest polygon, in units of the surface, negative where w is
-   * above 1/2, instead of 1/2 - w. An error with lines, which have none. Default off. */
+  /** Evaluate the distance to the nearest polygon, in units of the surface, negative where w is
+   * above 1/2, instead of 1/2 - w. An error for lines. Default off. */
   vtkSetMacro(SignedDistance, bool);
   vtkGetMacro(SignedDistance, bool);
   vtkBooleanMacro(SignedDistance, bool);

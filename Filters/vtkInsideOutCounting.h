@@ -13,11 +13,11 @@
 #include <string>
 
 /**
- * Orientation: how facets are turned before they count, in a plane outlines. AUTOMATIC makes
- * neighboring facets agree and turns over parts that are inside out, with a warning; cavities stay.
- * AS_GIVEN turns nothing, REVERSE everything, OUTWARD every closed part outward. Default AUTOMATIC.
- * AUTOMATIC leaves the least volume where w is below -1/2; an open sheet turns nothing else over.
- * OUTWARD ignores which part lies within which.
+ * Orientation: the facets to turn over, in a plane the outlines. AUTOMATIC makes neighboring facets
+ * agree and turns inverted parts over, with a warning; cavities stay. AS_GIVEN turns nothing,
+ * REVERSE everything, OUTWARD every closed part that faces inward. Default AUTOMATIC. AUTOMATIC
+ * minimizes the volume where w is below -1/2; an open sheet turns nothing else over. OUTWARD turns
+ * cavities, too.
  */
 #define vtkInsideOutOrientationMacro()                             \
   enum OrientationType                                             \
@@ -36,9 +36,9 @@ protected:                                                         \
 public:
 
 /**
- * MergeTolerance: merge points at most this far apart, in units of the input. Narrower gaps between
- * bodies close. Default 0: only points with equal coordinates. Range 0 to infinity. The point with
- * the lowest id stays.
+ * MergeTolerance: merge points at most this far apart, in units of the input, and close narrower
+ * gaps between bodies. Default 0: only points with equal coordinates. Range 0 to infinity. Merged
+ * points have the coordinates of the lowest id.
  */
 #define vtkInsideOutMergeToleranceMacro()                                 \
   vtkInsideOutSetRangeMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX); \
@@ -50,12 +50,12 @@ protected:                                                                \
 public:
 
 /**
- * TouchTolerance: how far faces of two bodies may be apart that touch, in units of the input. They
- * become one interface: points of the later body move onto the earlier one, and are counted. 0:
- * only faces that touch exactly. Default -1: as far as rounding can part them, where all
- * coordinates of both bodies are floats or decimals of up to 9 digits. Range -1 to infinity. No
- * point of a single body moves. A warning names the bodies, the distance and the number of points;
- * the statistics TouchingPairs and TouchMovedPoints count the pairs of bodies and all points.
+ * TouchTolerance: distance between faces of two bodies up to which they touch, in units of the
+ * input. They become one interface: points of the later body move onto the earlier one, and are
+ * counted. 0: only faces that touch exactly. Default -1: the rounding error of the coordinates, if
+ * those of both bodies are floats or decimals of up to 9 digits. Range -1 to infinity. Points of a
+ * single body never move. A warning names the bodies, the distance and the number of points; the
+ * statistics TouchingPairs and TouchMovedPoints count pairs of bodies and moved points.
  */
 #define vtkInsideOutTouchToleranceMacro()                                  \
   vtkInsideOutSetRangeMacro(TouchTolerance, double, -1.0, VTK_DOUBLE_MAX); \
@@ -66,9 +66,9 @@ protected:                                                                 \
                                                                            \
 public:
 
-/** CountDuplicates: count a polygon as often as it is given, in a plane a segment. Default off:
- * copies count as often as closed shells need them, else once. Opposite ones cancel, unless one of
- * them alone closes the surface. */
+/** CountDuplicates: count every copy of a polygon, in a plane of a segment. Default off: copies
+ * count as often as closed shells need them, else once. Copies of opposite orientation cancel,
+ * unless one of them alone closes the surface. */
 #define vtkInsideOutCountDuplicatesMacro() \
   vtkSetMacro(CountDuplicates, bool);      \
   vtkGetMacro(CountDuplicates, bool);      \
@@ -80,9 +80,9 @@ protected:                                 \
 public:
 
 /**
- * NonParticipatingArrayName: cell array of the input whose cells do not count in w where it is not
- * 0, one number per cell. They still shape the mesh. Default empty: every cell counts. Such cells
- * cancel no other. Accessories that are no part of the body are examples.
+ * NonParticipatingArrayName: cell array of the input, one number per cell: cells where it is not 0
+ * do not count in w, but still shape the mesh. Default empty: every cell counts. Such cells cancel
+ * no other cell. An example are accessories that are no part of a body.
  */
 #define vtkInsideOutNonParticipatingMacro()                \
   vtkSetStdStringFromCharMacro(NonParticipatingArrayName); \

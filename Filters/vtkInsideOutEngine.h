@@ -11,10 +11,10 @@
 #include "vtkSetGet.h"
 
 /**
- * Engine: engine that makes the tetrahedra. ENGINE_EXACT flips and cuts with exact predicates, in
+ * Engine: program that makes the tetrahedra. ENGINE_EXACT flips and cuts with exact predicates, in
  * this process; ENGINE_TETGEN runs TetGen; ENGINE_AUTOMATIC runs TetGen only where the exact engine
- * loses a facet. Default ENGINE_AUTOMATIC. The mesh that loses the fewest facets is taken where
- * none keeps all.
+ * loses a facet. Default ENGINE_AUTOMATIC. If no mesh keeps all facets, the one that loses the
+ * fewest is taken.
  */
 #define vtkInsideOutEngineMacro()                                          \
   enum EngineType                                                          \
@@ -44,10 +44,10 @@ protected:                                                                 \
 public:
 
 /**
- * TimeBudget: seconds that tetrahedralizing may take, in all attempts together. Default 0: limited
- * by work, not by the clock, so that a busy machine gives the same mesh. Range 0 to infinity. Each
- * kind of attempt gets an equal part. With 0 each of TetGen's attempts takes at most 4 s of
- * processor time, and 0.3 ms for each point and facet.
+ * TimeBudget: limit on the seconds of tetrahedralizing, in all attempts together. Default 0:
+ * limited by work, not by the clock, so that a busy machine gives the same mesh. Range 0 to
+ * infinity. Each kind of attempt gets an equal share. With 0 each of TetGen's attempts is limited
+ * to 4 s of processor time plus 0.3 ms per point and facet.
  */
 #define vtkInsideOutTimeBudgetMacro()                                 \
   vtkInsideOutSetRangeMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX); \
@@ -59,9 +59,10 @@ protected:                                                            \
 public:
 
 /**
- * MemoryBudget: MiB of memory that TetGen's process may hold. Default 0: limited by the size of the
- * surface. Range 0 to infinity. Beyond it the next attempt begins. With 0 the limit is 1024 MiB,
- * and 16 KiB for each point and facet, but at most three quarters of the machine's memory.
+ * MemoryBudget: limit on the memory of TetGen's process, in MiB. Default 0: a limit by the size of
+ * the surface. Range 0 to infinity. An attempt that exceeds it is followed by the next one. With 0
+ * the limit is 1024 MiB plus 16 KiB per point and facet, but at most three quarters of the
+ * machine's memory.
  */
 #define vtkInsideOutMemoryBudgetMacro()                                 \
   vtkInsideOutSetRangeMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX); \

@@ -20,9 +20,8 @@ namespace vtkInsideOut
 VTKFILTERSINSIDEOUT_EXPORT void WarnOfRange(
   vtkObject* owner, const char* option, double value, double least, double most);
 
-/** @return the value, or the nearest limit of its range, with a warning. VTK's largest number is
- * not a limit: it replaces infinity without a warning.
- */
+/** @return the value, or the nearest limit of its range, with a warning. VTK_DOUBLE_MAX and
+ * VTK_INT_MAX stand for infinity: infinite values become them without a warning. */
 template <typename Number>
 Number InRange(vtkObject* owner, const char* option, Number value, Number least, Number most)
 {

@@ -62,8 +62,8 @@ std::string NameOf(Object*, long)
 ///@}
 
 ///@{
-/** Whether an algorithm is to stop. 9.3, Filters: "CheckAbort" asks every algorithm upstream, too;
- * so does ParaView 5.11's 9.2. Older versions have only the algorithm's own flag. */
+/** Whether an algorithm should stop. 9.3, Filters: "CheckAbort" asks every algorithm upstream, too;
+ * so does the 9.2 of ParaView 5.11. Older versions have only the algorithm's own flag. */
 template <typename Algorithm>
 auto IsAborted(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort(), bool())
 {

@@ -33,11 +33,12 @@
  *
  * For lines without polygons, which have to lie in one plane, it is the winding number of the curve
  * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
- * plane's normal is positive. Places above or below the plane have that of the place under them.
+ * plane's normal is positive. A query point off the plane has the w of its projection onto the
+ * plane.
  *
  * Points with normals, without polygons and lines, are a point cloud, such as a scan (vertices are
  * ignored). It has the winding number of Barill, Dickson, Schmidt, Levin and Jacobson (2018): with
- * areas a, unit normals n and places p of the points
+ * areas a, unit normals n and positions p of the points
  *
  *     w(q) = sum of a n . (p - q) / (4 pi |p - q|^3).
  *
@@ -46,19 +47,19 @@
  * the radius of a disk of the point's area. So w changes smoothly from 1 to 0 across a layer as
  * thick as the spacing of points, and has no further meaning in this layer. Sums are by a tree of
  * expansions that err by 1e-2 of the sum of a / (4 pi |p - q|^2) at most, in practice by some 1e-4;
- * Method NAIVE adds all points up. Orientation REVERSE reverses all normals, its other values none;
- * all other options apply to polygons only. A point of the cloud that is not finite, or has a
- * normal of length 0 or an area below 0, is an error that names it.
+ * Method NAIVE adds all points up. Orientation REVERSE reverses all normals; its other values
+ * reverse none. All other options apply to polygons only. A point of the cloud that is not finite,
+ * or has a normal of length 0 or an area below 0, is an error that names it.
  *
  * Each of several processes (MPI) evaluates w at its own piece of the data set, for the whole
  * surface, with the same values as a single process. Pieces of the surface (ghost cells apart) are
  * gathered in the first process, which validates and turns it as a whole. One of up to FacetsAtOnce
  * polygons is then sent to all; a larger one is cut into chunks of at most that many facets, which
- * all processes get in turn. So only the first holds more than a chunk and its own places. Lines
- * and clouds are sent to all. Field data: the statistic SurfacePieces, the number of chunks, 1 for
- * a whole surface. ClosestCellId then counts the cells of all MPI pieces in sequence. If an input
- * fails in one process, no process has an output, and an error in each names the failed one. If an
- * input is composite, each process requests the whole surface instead.
+ * all processes get in turn. So only the first holds more than a chunk and its own query points.
+ * Lines and clouds are sent to all. Field data: the statistic SurfacePieces, the number of chunks,
+ * 1 for a whole surface. ClosestCellId then counts the cells of all MPI pieces in sequence. If an
+ * input fails in one process, no process has an output, and an error in each names the failed one.
+ * If an input is composite, each process requests the whole surface instead.
  *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
  */
@@ -93,10 +94,10 @@ public:
 
   ///@{
   /**
-   * The surface: polygons and strips. Lines and vertices beside them are ignored with a warning. Or
-   * lines alone, or points with normals alone. The blocks of a composite data set are one surface,
-   * whose ClosestCellId counts the cells of all blocks: vertices, then lines, polygons and strips.
-   * GetSurface gives nullptr for one.
+   * The surface: polygons and strips (lines and vertices beside them are ignored with a warning),
+   * or lines alone, or points with normals alone. The blocks of a composite data set are one
+   * surface, whose ClosestCellId counts the cells of all blocks: vertices, then lines, polygons and
+   * strips. GetSurface returns nullptr for a composite data set.
    */
   void SetSurfaceData(vtkDataObject* surface);
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
@@ -117,21 +118,22 @@ public:
   ///@}
 
   ///@{
-  /** Winding number above which a point is inside, without unit. Default 0.5. Range minus infinity
-   * to infinity. */
+  /** Winding number above which a point is inside. Default 0.5. Range minus infinity to
+   * infinity. */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
   ///@}
 
   ///@{
-  /** Mark what is outside in the array Inside instead; w stays as it is. Default off. */
+  /** Mark the points outside, instead of those inside, in the array Inside; w stays the same.
+   * Default off. */
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);
   ///@}
 
   ///@{
-  /** Output the array w. Off: only Inside, which takes an eighth of the memory. Default on. */
+  /** Output the array w, too. Off: only Inside, in an eighth of the memory. Default on. */
   vtkSetMacro(OutputWindingNumber, bool);
   vtkGetMacro(OutputWindingNumber, bool);
   vtkBooleanMacro(OutputWindingNumber, bool);
@@ -139,9 +141,9 @@ public:
 
   ///@{
   /**
-   * Output the array Distance: how far the nearest polygon is, in units of the surface, negative
-   * where w is above Threshold. Default off. Every polygon counts for it, even where it does not in
-   * w. An error with lines, which have none.
+   * Output the array Distance: the distance to the nearest polygon, in units of the surface,
+   * negative where w is above Threshold. Default off. All polygons count for the distance,
+   * including those that do not count in w. An error for lines.
    */
   vtkSetMacro(Distance, bool);
   vtkGetMacro(Distance, bool);
@@ -149,8 +151,8 @@ public:
   ///@}
 
   ///@{
-  /** Output, with Distance, the arrays ClosestPoint and ClosestCellId: the nearest point on the
-   * surface, and the surface's cell that it is on. Default off. */
+  /** Output the arrays ClosestPoint and ClosestCellId, the nearest point on the surface and its
+   * cell; takes effect with Distance. Default off. */
   vtkSetMacro(ClosestPoints, bool);
   vtkGetMacro(ClosestPoints, bool);
   vtkBooleanMacro(ClosestPoints, bool);
@@ -159,18 +161,18 @@ public:
   /** How w is evaluated. */
   enum MethodType
   {
-    EXACT = 0,        ///< right to rounding, and fastest
+    EXACT = 0,        ///< exact up to rounding, and fastest
     NAIVE = 1,        ///< the sum over all facets
-    HIERARCHICAL = 2, ///< the thesis's
+    HIERARCHICAL = 2, ///< the hierarchy of Jacobson et al. (2013)
     APPROXIMATE = 3   ///< far-field expansion
   };
 
   ///@{
   /**
-   * Method that evaluates w. EXACT is right to rounding and the fastest; the others are for
-   * reference. NAIVE sums all facets, HIERARCHICAL is the hierarchy of the method's authors,
-   * APPROXIMATE a far-field expansion that errs by some 1e-3. Default EXACT. NAIVE and HIERARCHICAL
-   * (Jacobson, Kavan and Sorkine-Hornung, 2013) are exact as well; APPROXIMATE is by Barill et al.
+   * Method that evaluates w. EXACT is exact up to rounding and fastest; the others are for
+   * comparison. NAIVE sums over all facets, HIERARCHICAL uses a hierarchy of them, APPROXIMATE a
+   * far-field expansion with an error of some 1e-3. Default EXACT. NAIVE and HIERARCHICAL
+   * (Jacobson, Kavan and Sorkine-Hornung, 2013) are exact, too; APPROXIMATE is by Barill et al.
    * (2018).
    */
   vtkInsideOutSetRangeMacro(Method, int, EXACT, APPROXIMATE);
@@ -178,14 +180,14 @@ public:
   ///@}
 
   ///@{
-  /** Order of the expansion of APPROXIMATE. Default 2. Range 1 to 3. */
+  /** Order of the far-field expansion of APPROXIMATE. Default 2. Range 1 to 3. */
   vtkInsideOutSetRangeMacro(ApproximationOrder, int, 1, 3);
   vtkGetMacro(ApproximationOrder, int);
   ///@}
 
   ///@{
-  /** Distance, in radii of a group of facets, from which on APPROXIMATE expands it. Larger is
-   * slower and errs less. Default 2. Range 1 to infinity. */
+  /** Distance from which APPROXIMATE expands a group of facets, in radii of the group. Larger
+   * values are slower and more accurate. Default 2. Range 1 to infinity. */
   vtkInsideOutSetRangeMacro(Accuracy, double, 1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Accuracy, double);
   ///@}
@@ -205,9 +207,9 @@ public:
 
   ///@{
   /**
-   * The processes that hold pieces of the surface. They work together if each is asked for its own
-   * piece of the output, as in pvserver and pvbatch, or by UpdatePiece(rank, ranks, 0). Default
-   * vtkMultiProcessController's global one; none is this process alone.
+   * The controller of the processes that hold pieces of the surface. They work together if each
+   * requests its own piece of the output, as in pvserver and pvbatch, or by UpdatePiece(rank,
+   * ranks, 0). Default vtkMultiProcessController's global one; null: this process alone.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -215,25 +217,24 @@ public:
 
   ///@{
   /**
-   * Number of facets of the surface that each of several processes (MPI) holds at once. Fewer take
-   * less memory, some 400 bytes each, and more time. Default 4194304. Range 1 to infinity. A
-   * surface of more polygons is cut into chunks of at most this size, which all processes visit in
-   * turn; a smaller one is whole in each. The default takes some 1.7 GB.
+   * Largest number of the surface's facets that each of several processes (MPI) holds at once.
+   * Fewer take less memory, some 400 bytes per facet, and more time. Default 4194304. Range 1 to
+   * infinity. A larger surface is cut into chunks of at most this size, which all processes visit
+   * in turn; a smaller one is whole in each process. The default takes some 1.7 GB.
    */
   vtkInsideOutSetRangeMacro(FacetsAtOnce, int, 1, VTK_INT_MAX);
   vtkGetMacro(FacetsAtOnce, int);
   ///@}
 
   /**
-   * After the filter was updated: whether the input's point (with Association CELLS, its cell) is
-   * marked in the array Inside; 0 or 1, 0 for an id out of range.
+   * Whether a point of the input (with Association CELLS, a cell) is marked in the array Inside of
+   * the last update: 0 or 1; 0 for an id out of range.
    */
   int IsInside(vtkIdType id);
 
   ///@{
   /**
-   * After the filter was updated: whether a place would be marked in the array Inside; 0 or 1.
-   * Evaluates as the last update did.
+   * Whether a query point would be marked in the array Inside by the last update: 0 or 1.
    */
   int IsInsideSurface(double x, double y, double z);
   int IsInsideSurface(double x[3]);
@@ -271,7 +272,7 @@ private:
   void operator=(const vtkProbeWindingNumber&) = delete;
 
   class Internal;
-  Internal* Last; ///< what the last update left for IsInsideSurface
+  Internal* Last; ///< state of the last update, for IsInsideSurface
   const std::unique_ptr<vtkInsideOut::FailTogether> Failures;
 };
 VTK_ABI_NAMESPACE_END

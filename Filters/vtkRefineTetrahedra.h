@@ -16,28 +16,29 @@
  * wanted edge lengths, linear between its points. Outside it no length is wanted.
  *
  * Output: vtkTetra, or with QuadraticCells vtkQuadraticTetra. Each cell has the cell data of the
- * input cell that holds its barycenter. But FacetIds and FacetMultiplicity (4 components, one value
- * per face) are those of the input's face on the boundary or between regions: the same face, the
- * one that it is a piece of, or the one next to it where the surface is remeshed; and -1 and 0 on
- * all others, also where the input had facets within a region. Where the surface is kept, cells of
- * different InBody (integers) are of different regions, too. Point data of points that stay are the
- * same; of new ones they are interpolated in the input cell that holds them (0 in integer arrays).
+ * input cell that contains its barycenter. FacetIds and FacetMultiplicity (4 components, one value
+ * per face) are exceptions: a face on the boundary or between regions has the values of the input
+ * face that it lies on, or that is nearest where the surface is remeshed. All other faces have -1
+ * and 0, even if the input had facets within a region. If the surface is kept, cells of different
+ * InBody (integers) belong to different regions, too. Points that stay keep their point data; new
+ * points interpolate them in the input cell that contains them (0 in integer arrays).
  * vtkOriginalPointIds of a point that stays is its value in the input's array of that name, else
- * the input point; -1 for a new one. Field data: the input's, and Statistics (named by
- * StatisticsNames) of AddedPoints and RemovedPoints (a point that moved counts in both; without the
- * mid-edge nodes), RefinedCells, CellsAboveMaximumVolume where MaximumVolume is given, and
- * SecondsRefine; of a surface that is not kept SurfacePoints (of the points, those added on it) and
- * KeptFacets (that stay as they are since they cross others); of a remeshed one SurfaceTolerance
- * and, found by samples, SurfaceDistance (how far it is from the input's) and InputDistance (how
- * far that is from it).
+ * the input's point id; -1 for a new one. Field data: the input's, and Statistics (named by
+ * StatisticsNames): AddedPoints and RemovedPoints (a point that moved counts in both; without
+ * mid-edge nodes), RefinedCells, CellsAboveMaximumVolume if MaximumVolume is given, and
+ * SecondsRefine. If the surface is not kept: SurfacePoints (points added on it) and KeptFacets
+ * (facets left unchanged because they cross others). If it is remeshed: SurfaceTolerance and, by
+ * samples, SurfaceDistance (of the new surface from the old) and InputDistance (of the old one from
+ * the new).
  *
- * They have the quality of the cells, too, as vtkSolidQuality names it, from MinDihedralAngle to
- * SurfaceEdgesUnder5Degrees, which counts where the surface itself forces sharp cells, with
- * RefusedCells and PoorCells; and those of the input's by the same names with Before in front.
+ * The statistics include the quality of the cells by the names of vtkSolidQuality, from
+ * MinDihedralAngle to SurfaceEdgesUnder5Degrees, RefusedCells and PoorCells; and the quality of the
+ * input, by the same names with the prefix Before.
  *
  * Warnings count the cells that stay larger than MaximumVolume, and the triangles that could not be
- * split or remeshed. Another one reports edges of the surface longer than twice EdgeLength, or half
- * of them shorter than half of it. Errors, which name the culprit, leave the output empty.
+ * split or remeshed. Another warning says that edges of the surface are longer than twice
+ * EdgeLength, or that half of them are shorter than half of it. Errors, which name the culprit,
+ * leave the output empty.
  *
  * @sa vtkRobustTetrahedralize
  */
@@ -62,15 +63,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The length of edges to aim at, in units of the input: some are longer. Edges of faces that
-   * stay may be much longer. Default 0: as the edges of the surface allow. Range 0 to infinity. */
+  /** Target length of edges, in units of the input; some are longer. Edges of faces that stay may
+   * be much longer. Default 0: lengths follow from the edges of the surface. Range 0 to
+   * infinity. */
   vtkInsideOutSetRangeMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeLength, double);
   ///@}
 
   ///@{
-  /** Growth of edges per unit of distance from the boundary. Small values make many cells of nearly
-   * the same size. Default 0.35. Range 1e-6 to infinity. */
+  /** Growth of the edge length per unit of distance from the boundary. Small values make many cells
+   * of nearly the same size. Default 0.35. Range 1e-6 to infinity. */
   vtkInsideOutSetRangeMacro(Grading, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Grading, double);
   ///@}
@@ -83,21 +85,20 @@ public:
   ///@}
 
   ///@{
-  /** Upper limit on the number of cells, by an estimate before any work: where lengths asked for
-   * would make more there is an error, and no output. Default 10000000. 0: no limit. Range 0 to
-   * the largest int. */
+  /** Limit on the number of cells: if an estimate of the requested lengths exceeds it, there is an
+   * error and no output. Default 10000000. 0: no limit. Range 0 to the largest int. */
   vtkInsideOutSetRangeMacro(MaximumCells, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumCells, int);
   ///@}
 
   ///@{
   /** Point array of edge lengths: of the input, of the background, or of both. Default empty: none.
-   * Lengths are positive; NaN asks for nothing. The least of all lengths counts. */
+   * Lengths are positive; NaN requests none. The smallest of all lengths counts. */
   vtkSetStdStringFromCharMacro(SizingArrayName);
   virtual const char* GetSizingArrayName() const { return this->SizingArrayName.c_str(); }
   ///@}
 
-  /** What becomes of the surface. */
+  /** Treatment of the surface. */
   enum SurfaceTreatmentType
   {
     KEPT,
@@ -109,11 +110,11 @@ public:
   ///@{
   /**
    * Treatment of the triangles of the boundary and between regions. KEPT: each stays, bit by bit.
-   * SPLIT: they are split, so that long and thin ones do not make thin cells. REMESHED: others of
-   * the edge length asked for take their place, within SurfaceTolerance. AUTOMATIC: REMESHED
-   * where EdgeLength or SizingArrayName is given, else KEPT. Default AUTOMATIC. SPLIT keeps all
-   * points; the pieces lie in the triangles' planes, within rounding. REMESHED keeps edges above
-   * FeatureAngle, and triangles whose replacement would touch another part of the boundary.
+   * SPLIT: they are divided, so that long and thin ones do not make thin cells. REMESHED: they are
+   * replaced, within SurfaceTolerance, by triangles of the requested edge length. AUTOMATIC:
+   * REMESHED if EdgeLength or SizingArrayName is given, else KEPT. Default AUTOMATIC. SPLIT keeps
+   * all points; the pieces lie in the triangles' planes, within rounding. REMESHED keeps edges
+   * above FeatureAngle, and triangles whose replacement would touch another part of the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);
@@ -121,9 +122,8 @@ public:
 
   ///@{
   /**
-   * Upper limit on the distance between a remeshed boundary and the old one, both ways, in units of
-   * the input. Default 0: a thousandth of the longest edge of the bounding box. Range 0 to
-   * infinity.
+   * Limit on the distance between a remeshed boundary and the old one, both ways, in units of the
+   * input. Default 0: a thousandth of the longest edge of the bounding box. Range 0 to infinity.
    */
   vtkInsideOutSetRangeMacro(SurfaceTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SurfaceTolerance, double);
@@ -131,7 +131,7 @@ public:
 
   ///@{
   /** Angle between normals above which edges of a remeshed boundary stay, in degrees. Default 30.
-   * Range 0 to 180. Edges of steps lower than SurfaceTolerance do not stay. */
+   * Range 0 to 180. Edges of steps lower than SurfaceTolerance are removed. */
   vtkInsideOutSetRangeMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
   ///@}

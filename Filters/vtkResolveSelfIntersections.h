@@ -6,23 +6,22 @@
  * Takes any polygonal surface and makes triangles of the same surface that meet only in shared
  * points and edges: facets are cut where they cross, touch or overlap, with exact arithmetic. New
  * points are rounded to doubles, and facets that cross after rounding are cut again, until a check
- * with exact predicates finds no crossing. Points of the input keep their coordinates to the last
- * bit.
+ * with exact predicates finds no crossing. Input points keep their coordinates to the last bit.
  *
- * Output: points are double. The input's point data are interpolated at new points, its cell data
- * are copied.
+ * Output: triangles with points in double precision. The input's point data are interpolated at new
+ * points, its cell data are copied.
  * - vtkOriginalPointIds (vtkIdType, points): the input's point, -1 for a new one
  * - vtkOriginalCellIds (vtkIdType, cells): the input's cell, the lowest of several
- * - FacetMultiplicity (short, cells): how often the input covers the facet along its own
- *   orientation, signed; 0 if copies cancel
- * - LeftOutCellIds (vtkIdType, field data): the input cells of facets that still cross others
- *   after the last round of rounding and are left out (a warning says so; hardly any model has
+ * - FacetMultiplicity (short, cells): number of input facets that cover the facet in its
+ *   orientation, minus those in the opposite one; 0 if copies cancel
+ * - LeftOutCellIds (vtkIdType, field data): the input cells of facets that are left out because
+ *   they still cross others after the last round of rounding (with a warning; hardly any model has
  *   one)
  * - Statistics, StatisticsNames (double and string, field data): figures and their names
  *
  * Lines and vertices beside polygons are ignored with a warning, degenerate polygons are left out
- * and counted. Errors, with an empty output: a point that is not finite, a cell with a point out of
- * range, which they name; and lines alone, which are for vtkRobustTriangulate.
+ * and counted. Errors, with an empty output, name a point that is not finite or a cell with a point
+ * out of range. Lines alone are an error, too: use vtkRobustTriangulate.
  *
  * @sa vtkConstrainedDelaunay3D
  */

@@ -3,12 +3,12 @@
  * @class   vtkRobustTriangulate
  * @brief   from broken outlines in a plane to triangles of the area that they mean
  *
- * Takes a vtkPolyData that lies in a plane, any in space: lines and polylines, closed or open,
- * whose direction counts; or polygons and strips, whose edges all count and whose interiors may
- * overlap. Outlines may cross, overlap and have gaps. Segments are cut where they meet, and the
- * convex hull is triangulated so that each segment is a union of edges. The triangles are labelled
- * inside or outside by the winding number of the outlines and a graph cut, as
- * vtkRobustTetrahedralize does it in space. Every input point keeps its exact coordinates.
+ * Takes a vtkPolyData in any plane: lines and polylines, closed or open, whose direction counts; or
+ * polygons and strips, whose edges all count and whose interiors may overlap. Outlines may cross,
+ * overlap and have gaps. Segments are cut where they meet, and the convex hull is triangulated so
+ * that each segment is a union of edges. The triangles are labelled inside or outside by the
+ * winding number of the outlines and a graph cut, as vtkRobustTetrahedralize does it in space.
+ * Every input point keeps its exact coordinates.
  *
  * Output 0, the solid: vtkTriangle with the cell arrays w, Inside, RegionId, and FacetIds and
  * FacetMultiplicity of 3 components (see vtkConstrainedDelaunay3D). Output 1, its boundary:
@@ -16,19 +16,19 @@
  * BoundaryTag. Output 2, the outliers: polylines that are no edge of a triangle inside, with
  * OutlierReason (see vtkRobustTetrahedralize). Outputs 3 and 4 are made with GenerateHull: all
  * triangles of the convex hull, with w, Inside and RegionId; and the input as polylines that meet
- * in shared points only, with FacetMultiplicity as Orientation has it. All carry the input's point
- * data and vtkOriginalPointIds, the lines its cell data.
+ * in shared points only, with FacetMultiplicity after Orientation is applied. All carry the input's
+ * point data and vtkOriginalPointIds, the lines its cell data.
  *
  * Field data of output 0: LeftOutCellIds, TurnedCellIds, and
  * - RegionArea, RegionCenterOfMass (double, field data): area and center of each region, density 1
  *
- * Statistics are those of vtkRobustTetrahedralize, with Area instead of Volume. With Refine they
- * are also AddedPoints, SurfacePoints, RefinedCells, MinAngle, Angle1Percent and MaxAngle, and the
- * angles of the triangles before, which begin with Before.
+ * Statistics are those of vtkRobustTetrahedralize, with Area instead of Volume. Refine adds
+ * AddedPoints, SurfacePoints, RefinedCells, MinAngle, Angle1Percent and MaxAngle, and the same
+ * angles before refinement, by names that begin with Before.
  *
- * The options of the cut and of the refinement belong to the two filters that GetSegmentation()
- * and GetRefinement() hand out; a change there is a change of this filter. The filter keeps the
- * hull of its input: such a change does not triangulate again.
+ * GetSegmentation() returns the stage with the options of the cut, GetRefinement() that of the
+ * refinement; a change of a stage modifies this filter. The filter keeps the hull of its input:
+ * such a change does not triangulate again.
  *
  * Errors, which name the culprit, leave all outputs empty.
  *
@@ -61,7 +61,7 @@ public:
 
   /**
    * Whether an input is for this filter rather than for vtkRobustTetrahedralize: lines without
-   * polygons, or polygons that lie in a plane exactly or but for rounding in double precision.
+   * polygons, or polygons that lie in a plane, exactly or up to rounding in double precision.
    */
   static bool IsInAPlane(vtkPolyData* input);
 
@@ -76,10 +76,10 @@ public:
 
   ///@{
   /**
-   * The stage whose options the cut has: Gamma, Sigma, DataTerm, ConstrainFacets, NonManifold,
+   * The stage with the options of the cut: Gamma, Sigma, DataTerm, ConstrainFacets, NonManifold,
    * LargestRegions, MinimumRegionVolume (an area here), SeededRegions, FillCavities (holes here)
-   * and Topology. Its inputs, its outputs and its ExtractInside are not used. Never null: setting
-   * null does nothing.
+   * and Topology. Its inputs, its outputs and its ExtractInside are not used. Setting null does
+   * nothing.
    */
   void SetSegmentation(vtkGraphCutSegmentation* segmentation);
   vtkGraphCutSegmentation* GetSegmentation();
@@ -87,19 +87,19 @@ public:
 
   ///@{
   /**
-   * The stage whose options Refine goes by: EdgeLength, Grading, MaximumVolume (an area here) and
+   * The stage with the options of Refine: EdgeLength, Grading, MaximumVolume (an area here) and
    * SurfaceTreatment. KEPT: the boundary and all lines at inside triangles stay. SPLIT: they are
    * cut, so that no angle is below 20.7 degrees except at sharp corners; a warning tells where such
    * corners are too close to each other. AUTOMATIC: SPLIT where EdgeLength is given, else KEPT.
-   * REMESHED and QuadraticCells are errors. Its inputs and
-   * outputs are not used. Never null: setting null does nothing.
+   * REMESHED and QuadraticCells are errors. Its inputs and outputs are not used. Setting null does
+   * nothing.
    */
   void SetRefinement(vtkRefineTetrahedra* refinement);
   vtkRefineTetrahedra* GetRefinement();
   ///@}
 
   ///@{
-  /** Options of the stages, for those who need no others. */
+  /** The most common options of the stages. */
   void SetGamma(double gamma);
   double GetGamma();
   void SetConstrainFacets(bool constrain);
@@ -126,16 +126,16 @@ public:
   ///@}
 
   ///@{
-  /** Cell array of the input that chooses the cells that ConstrainFacets keeps: those where it is
-   * not 0. Default empty: all. */
+  /** Cell array of the input that selects the cells kept by ConstrainFacets: those where it is not
+   * 0. Default empty: all. */
   vtkSetStdStringFromCharMacro(ConstrainedFacetsArrayName);
   vtkGetCharFromStdStringMacro(ConstrainedFacetsArrayName);
   ///@}
 
   ///@{
   /**
-   * Optional second input: points that have to be inside or outside, by their array Inside (1 or
-   * 0), as vtkRobustTetrahedralize takes them.
+   * Optional second input: seeds, points that must be inside or outside, by their point array
+   * Inside (1 or 0), as for vtkRobustTetrahedralize.
    */
   void SetSeedsData(vtkDataObject* seeds);
   void SetSeedsConnection(vtkAlgorithmOutput* output);
@@ -150,8 +150,8 @@ public:
     ///@{
     /**
      * Cell array of the input that tags the boundary, one integer or string per cell. Default
-     * empty: its groups, materials or blocks do. The tags become the boundary's array BoundaryTag;
-     * see vtkRobustTetrahedralize.
+     * empty: tags are groups, materials or blocks. The tags become the boundary's array
+     * BoundaryTag; see vtkRobustTetrahedralize.
      */
     vtkSetStdStringFromCharMacro(TagArrayName);
   vtkGetCharFromStdStringMacro(TagArrayName);

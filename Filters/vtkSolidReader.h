@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkSolidReader
- * @brief   reads a solid from a MSH, INP or MESH file, with its regions and the tags of its
- * boundary
+ * @brief   reads a solid from a MSH, INP or MESH file, with its regions and tags
  *
  * Reads what vtkSolidWriter writes, and what other programs write in these formats, by the file
  * name's ending: .msh (gmsh 4.1 and 2.x, ascii), .inp (Abaqus and CalculiX) or .mesh (Medit,
@@ -13,24 +12,24 @@
  *
  * First output: the tetrahedra (vtkTetra, or vtkQuadraticTetra where all are quadratic), with the
  * cell array RegionId, and the names of regions in the field array RegionNames where the file has
- * any. A file without tetrahedra gives its triangles there, which are a solid in a plane.
+ * any. From a file without tetrahedra it has the triangles, as a solid in a plane.
  *
- * Second output: the triangles of the file beside the tetrahedra, those of the boundary and of
- * interfaces, with the cell array BoundaryTag and the field array BoundaryTagNames. Both outputs go
- * into vtkSolidWriter, which writes the same groups again.
+ * Second output: the triangles in the file, of the boundary and of interfaces, with the cell array
+ * BoundaryTag and the field array BoundaryTagNames. vtkSolidWriter takes both outputs and writes
+ * the same groups again.
  *
- * - .msh: regions and tags are the physical groups, or the entities of the geometry where there are
- *   none. The first of several groups of an entity counts.
- * - .inp: regions are the ELSET of *ELEMENT; or the lists of *ELSET where each cell is in one of
- *   them, or where elements have no ELSET. Tags are the surfaces of element faces, and the sets of
- *   shells. Files of one part are read, without the files that they include: a warning names these.
+ * - .msh: regions and tags are the physical groups, or the geometric entities if there are no
+ *   groups. The first of several groups of an entity counts.
+ * - .inp: regions are the ELSET of *ELEMENT; or the *ELSET lists, if each cell is in one of them,
+ *   or if elements have no ELSET. Tags are the surfaces of element faces, and the sets of shells.
+ *   The file must have one part. Included files are not read; a warning names them.
  * - .mesh: regions and tags are the references, their names the comments by vtkSolidWriter.
  *
- * RegionId and BoundaryTag are the file's numbers less 1, and -1 in what vtkSolidWriter called
- * "outside". They count the groups instead if the file has a number below 0 or above 65535. Cells
- * of no group get the number after the last. Points and cells are in the order of their numbers in
- * the file, and points in no cell are kept. Other volumes and faces, such as hexahedra, are counted
- * in a warning; points, lines and all else are skipped.
+ * RegionId and BoundaryTag are the file's numbers minus 1, and -1 for the group "outside" of
+ * vtkSolidWriter. If the file has a number below 0 or above 65535, groups are numbered from 0
+ * instead. Cells of no group get the number after the last. Points and cells are in the order of
+ * their numbers in the file; points in no cell are kept. A warning counts other volumes and faces,
+ * such as hexahedra; points, lines and everything else are skipped.
  *
  * @sa vtkSolidWriter
  */

@@ -9,39 +9,38 @@
  *
  * Regions come from the solid's cell array RegionId: integers from 0, and -1 outside. The triangles
  * of the boundary come from the second input, their tags from its cell array BoundaryTag, integers
- * from 0, and the names of these from its field array BoundaryTagNames. Each triangle has to be a
- * face of a cell; that of two cells is an interface. Without the second input the faces of one cell
- * are the boundary. Where there is no RegionId all cells are the region "solid", and without
- * BoundaryTag all triangles have the tag "surface". Other regions are called region_0, region_1 and
- * so on, and what is outside "outside"; tags without a name, tag_0, tag_1 and so on.
+ * from 0, and the names of these from its field array BoundaryTagNames. Each triangle must be a
+ * face of a cell; a face of two cells is an interface. Without the second input the faces of one
+ * cell are the boundary. Without RegionId all cells are the region "solid", and without BoundaryTag
+ * all triangles have the tag "surface". Otherwise regions are called region_0, region_1 and so on,
+ * cells outside "outside", and tags without a name tag_0, tag_1 and so on.
  *
- * - .msh has a physical group for each region and tag, with its name. Their numbers are RegionId
- *   and BoundaryTag plus 1; the outside has the number after the last.
- * - .inp has elements C3D4 or C3D10, and C3D6 for prisms, and for pyramids with a corner twice.
+ * - .msh has a physical group with a name for each region and tag. Its number is RegionId or
+ *   BoundaryTag plus 1; "outside" has the number after the last.
+ * - .inp has elements C3D4 or C3D10, and C3D6 for prisms and for pyramids (with a corner repeated).
  *   Each region has an element set and a node set, each tag a node set and a surface by element
- * face; Eall and Nall are the sets of all.
- * - .mesh has the same numbers as references; names are in comments. For quadratic cells it has the
+ *   face; Eall and Nall contain all elements and nodes.
+ * - .mesh has the same numbers as references; names are in comments. Quadratic cells are in the
  *   sections TrianglesP2 and TetrahedraP2, which not every program reads.
  *
- * Point p is number p + 1 in each. Invalid characters in names become underscores, and the later of
- * equal names get the suffixes _2, _3 and so on. Coordinates read back to the last bit, except in
- * .inp: its 20 characters for a number are exact from 0.01 to 1e17, with a relative error below
- * 1e-12 elsewhere. Other arrays are not written.
+ * Point p is number p + 1 in each format. Invalid characters in names become underscores, and the
+ * later of equal names get the suffixes _2, _3 and so on. Coordinates read back to the last bit,
+ * except in .inp: its 20 characters for a number are exact from 0.01 to 1e17, with a relative error
+ * below 1e-12 elsewhere. Other arrays are not written.
  *
- * The first input may be a composite data set too, of which one block is the solid and at most one
- * other the boundary: what ParaView's Group Datasets makes of the two.
+ * The first input may also be a composite data set with one block for the solid and at most one for
+ * the boundary, as ParaView's Group Datasets makes it.
  *
  * The file is written atomically: an earlier one stays unchanged until the new one is on the disk,
  * also on errors. Symbolic links stay, and their targets are replaced; the permissions of an
  * earlier file are kept. Devices and pipes are written directly.
  *
- * No cell is changed. A warning counts the cells that a solver refuses: their Jacobian determinants
- * are below 1e-20 (CalculiX's limit), in doubles with the file's digits, at an integration point;
- * and those that it suffers from, with a dihedral angle below 1 degree. It names the option that
- * helps.
+ * No cell is changed. A warning counts the cells that a solver refuses: with the file's digits, in
+ * doubles, a Jacobian determinant at an integration point is below 1e-20 (CalculiX's limit). It
+ * also counts poor cells, with a dihedral angle below 1 degree, and names the option that helps.
  *
- * Write() gives 1, or 0 after an error event that says which file cannot be written, and why, or
- * which cell, point, triangle or array is wrong. It gives 0 without one when it was aborted.
+ * Write() returns 1, or 0 after an error event that names the file and the reason, or the invalid
+ * cell, point, triangle or array. It returns 0 without an error event if it was aborted.
  *
  * @sa vtkRobustTetrahedralize
  */
@@ -72,20 +71,20 @@ public:
   /** The versions of gmsh's format. */
   enum MshVersionType
   {
-    MSHVERSION_4_1 = 0, ///< that of gmsh 4
-    MSHVERSION_2_2 = 1  ///< the older one, for programs that know no other
+    MSHVERSION_4_1 = 0, ///< the format of gmsh 4
+    MSHVERSION_2_2 = 1  ///< the older format, for programs that read no other
   };
 
   ///@{
-  /** Version of gmsh's format that a .msh file has: MSHVERSION_4_1, or MSHVERSION_2_2 for programs
-   * that do not read the first. Default MSHVERSION_4_1. */
+  /** Version of the .msh format: MSHVERSION_4_1, or MSHVERSION_2_2 for programs that do not read
+   * the former. Default MSHVERSION_4_1. */
   vtkInsideOutSetRangeMacro(MshVersion, int, MSHVERSION_4_1, MSHVERSION_2_2);
   vtkGetMacro(MshVersion, int);
   ///@}
 
   ///@{
-  /** Leave boundary and regions away, for programs that take one block of nodes and one of
-   * elements. Default off. */
+  /** Omit boundary and regions, for programs that read only one block of nodes and one of elements.
+   * Default off. */
   vtkSetMacro(CellsOnly, bool);
   vtkGetMacro(CellsOnly, bool);
   vtkBooleanMacro(CellsOnly, bool);
@@ -100,7 +99,7 @@ public:
   ///@}
 
   ///@{
-  /** How many cells of the last file a solver refuses, and suffers from. */
+  /** Numbers of cells in the last file that a solver refuses, and of poor cells. */
   vtkGetMacro(RefusedCells, vtkIdType);
   vtkGetMacro(PoorCells, vtkIdType);
   ///@}

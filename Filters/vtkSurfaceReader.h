@@ -3,7 +3,7 @@
  * @class   vtkSurfaceReader
  * @brief   reads a surface from an OBJ, OFF, PLY or STL file in full precision
  *
- * Reads polygons from the four formats that surfaces travel in, ascii or binary, compressed with
+ * Reads polygons from the four most common formats of surfaces, ascii or binary, compressed with
  * gzip or not. Coordinates keep all their digits (points are double), and the file is validated: an
  * id out of range, a count beyond the file's size, or a truncated file is an error. It names the
  * line or the element, and the output is empty.
@@ -11,11 +11,10 @@
  * Output: polygons with the attributes that the file gives: Normals, TCoords and Colors, and any
  * other property of a PLY file under its own name. Points are in the file's order; if an OBJ file
  * gives a point several normals or texture coordinates, copies are appended.
- * - GroupIds, MaterialIds (int, cells): OBJ's objects and groups, or the solids of an STL file
- *   that has several; OBJ's materials
- * - GroupNames, MaterialNames (string, field data): the name for each such id. An OBJ group is
- *   called by its object where that tells all apart, else by its own name where that does, else
- *   OBJECT/GROUP
+ * - GroupIds, MaterialIds (int, cells): OBJ's objects and groups, or the solids of an STL file that
+ *   has several; OBJ's materials
+ * - GroupNames, MaterialNames (string, field data): the name for each such id. The name of an OBJ
+ *   group is its object's if these are unique, else its own if these are unique, else OBJECT/GROUP
  *
  * @sa vtkRobustTetrahedralize
  */
@@ -36,8 +35,8 @@ public:
 
   ///@{
   /**
-   * The file to read. The format is told by its content, or else by the name's ending, in upper or
-   * lower case, with .gz behind it or not. A name that says something else gives a warning.
+   * The file to read. The content decides its format, or else the name's ending, in upper or lower
+   * case, with or without .gz. A warning says that name and content disagree.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);

@@ -7,23 +7,23 @@
  * .obj or .off (text with all digits) or .stl (binary; the format has only floats). The first three
  * read back with the same coordinates to the last bit.
  *
- * Normals, texture coordinates and colors (scalars of 3 or 4 unsigned char) are written to PLY
- * and OBJ, every other numeric array to PLY, none to OFF. OBJ gets the groups that the cell array
- * BoundaryTag, or else GroupIds, and the materials that MaterialIds numbers, where the field array
- * BoundaryTagNames, GroupNames or MaterialNames has their names. Lines and vertices are not
- * written. A composite data set is an error: a file holds one surface.
+ * Normals, texture coordinates and colors (scalars of 3 or 4 unsigned char) are written to PLY and
+ * OBJ, every other numeric array to PLY, none to OFF. In OBJ the groups come from the cell array
+ * BoundaryTag, or else GroupIds, and the materials from MaterialIds, if BoundaryTagNames,
+ * GroupNames or MaterialNames has their names. Lines and vertices are not written. A composite data
+ * set is an error: a file holds one surface.
  *
  * A .stl file has neither coincident points nor triangles without area. Points that coincide after
  * rounding to floats are merged, and edges shorter than a millionth of the surface's size are
- * contracted. Points move to another float nearby, if that adds no intersections. A warning
- * counts the triangles that newly intersect, and the points that nearly coincide.
+ * contracted. Points move to another float nearby, if that adds no intersections. A warning counts
+ * the triangles that newly intersect, and the points that nearly coincide.
  *
  * The file is written atomically: an earlier one stays unchanged until the new one is on the disk,
  * also on errors. Symbolic links stay, and their targets are replaced; the permissions of an
  * earlier file are kept. Devices and pipes are written directly.
  *
- * Write() gives 1, or 0 after an error event that says which file cannot be written, and why, or
- * which cell refers to a point that does not exist. It gives 0 without one when it was aborted.
+ * Write() returns 1, or 0 after an error event that names the file and the reason, or the cell that
+ * refers to a missing point. It returns 0 without an error event if it was aborted.
  *
  * @sa vtkSurfaceReader
  */

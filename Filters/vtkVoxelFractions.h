@@ -4,12 +4,13 @@
  * @brief the fraction of each voxel within a solid of tetrahedra
  *
  * Takes a vtkImageData or vtkRectilinearGrid (port 0) and a vtkUnstructuredGrid of tetrahedra that
- * do not overlap (port 1), as vtkRobustTetrahedralize makes them, and gives the first with
- * - VolumeFraction (double, cells): the volume that cell and tetrahedra have in common over the
- *   cell's: 0 outside, 1 within, and in between where the boundary runs through
+ * do not overlap (port 1), as vtkRobustTetrahedralize makes them. The output is the first input
+ * with
+ * - VolumeFraction (double, cells): the share of the cell's volume within the tetrahedra: 0
+ *   outside, 1 inside, in between at the boundary
  *
- * The sum of fractions times volumes is that of the tetrahedra, where the grid covers them, but for
- * rounding. If the tetrahedra have a cell array Inside (of one number), those where it is 0 do not
+ * If the grid covers the tetrahedra, the sum of fractions times cell volumes is their volume, up to
+ * rounding. If the tetrahedra have a cell array Inside (one component), those where it is 0 do not
  * count; neither do other cells, such as triangles.
  *
  * An image whose axes are turned, or a grid whose coordinates do not ascend or are fewer than two,

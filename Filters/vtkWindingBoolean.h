@@ -4,49 +4,50 @@
  * @brief set operations of bodies whose surfaces may be broken
  *
  * Takes several polygonal surfaces, one for each body, and makes the surface of a set expression of
- * them, such as `A - (B | C) ^ D`. Each surface may cross itself, have parts that overlap, face the
- * wrong way or are duplicated, and may touch, overlap and share faces with the others. It is
- * oriented first; a point is in a body if its winding number is above 1/2.
+ * them, such as `A - (B | C) ^ D`. Each surface may cross itself, have overlapping, inverted or
+ * duplicated parts, and touch, overlap and share faces with the others. It is oriented first; a
+ * point is in a body if its winding number is above 1/2.
  *
- * Inputs are connected to port 0, one or several; of a composite data set each block is a body. The
+ * One or several inputs are connected to port 0; each block of a composite data set is a body. The
  * names of bodies are those of blocks or of AddBodyName, otherwise letters from A on.
  *
- * There are two methods; the statistic Tetrahedra tells which was used (0 or 1). If all surfaces
- * are closed, all are cut exactly where they meet, and each piece is kept or dropped by the winding
- * numbers of all bodies on its two sides: no tetrahedra are made. If one is open, if bodies may be
+ * There are two methods; the statistic Tetrahedra (0 or 1) says which was used. If all surfaces are
+ * closed, they are cut exactly where they meet. Each piece is kept or dropped by the winding
+ * numbers of all bodies on its two sides, without tetrahedra. If one is open, if bodies may be
  * nearer to each other than MergeTolerance, or with Tetrahedra on, all become one mesh of
- * tetrahedra. Each body has a cut of its own in it (vtkRobustTetrahedralize says how), and the
- * cells where the expression holds are the result.
+ * tetrahedra. A graph cut labels each body in it (see vtkRobustTetrahedralize), and the cells where
+ * the expression holds are the result.
  *
  * Output 0 is the surface: watertight, oriented outward, its triangles meet in shared points and
  * edges only.
- * - BodyId (int, cells and points): the body that a triangle is a piece of, from 0; of several the
- *   lowest that faces outward there; -1 where a hole was closed, and for a new point
+ * - BodyId (int, cells and points): the body of a triangle or point, from 0; of several the lowest
+ *   that faces outward there; -1 where a hole was closed, and for a new point
  * - BodyNames (string, field data): the names by BodyId
  * - vtkOriginalCellIds, vtkOriginalPointIds (vtkIdType, cells and points): the cell or point of
- *   that body's input; -1 likewise
- * - Turned (unsigned char, cells): 1 where the orientation turned the input's cell over; what a
- *   difference cuts out is not counted
+ *   that body's input; -1 where BodyId is
+ * - Turned (unsigned char, cells): 1 where Orientation turned the input's cell over; a difference,
+ *   which reverses facets, does not count
  *
- * Point and cell data of all inputs are passed on: an array that a body has not is NaN there, 0 in
- * arrays of integers. Arrays of one name that are of strings and numbers, or have different numbers
- * of components, stay apart as BODY/ARRAY, with a warning. Arrays of an earlier result that this
- * one has of its own are replaced, so that chained operations gain no arrays.
+ * Point and cell data of all inputs are passed on; an array that a body lacks is NaN there (0 in
+ * integer arrays). Arrays of the same name but different types (strings, numbers) or numbers of
+ * components are separated as BODY/ARRAY, with a warning. Arrays of an earlier operation are
+ * replaced, so that chained operations gain no arrays.
  *
- * Tags stay with their triangles: BoundaryTag (int) is what each body says of its cells, by its own
- * BoundaryTag, groups, materials or solids, or else the body's name; BoundaryTagNames in the field
- * data names each. So do GroupIds, MaterialIds, cell arrays of strings, and those of integers that
- * a field array names (PartNames for Part or PartIds): a body without the array is called by its
- * name there. A name that several bodies use has the body's before it: cut/floor. Triangles that
- * close a hole are called hole.
+ * Tags stay with their triangles. BoundaryTag (int) comes from each body's own BoundaryTag, groups,
+ * materials or solids, or else is the body's name; the field array BoundaryTagNames has the names.
+ * GroupIds, MaterialIds, cell arrays of strings, and arrays of integers with names in a field array
+ * (PartNames for Part or PartIds) stay, too: a body without the array gets its own name there. A
+ * name that several bodies use is prefixed with the body's: cut/floor. Triangles that close a hole
+ * are called hole.
  *
- * Output 1 is the tetrahedra of the result where they were made, else it is empty: with the cell
- * array RegionId (int), which numbers the parts that faces connect, the point arrays as above, NaN
- * at Steiner points, and Inside, which is 1.
+ * Output 1 has the tetrahedra of the result if they were made, else it is empty. It has the cell
+ * arrays RegionId (int), the part connected through faces, and Inside, which is 1; and the point
+ * arrays as above, NaN at Steiner points.
  *
- * A body without polygons is empty, with a warning, and so is one that the expression does not
- * name. An error in the expression names its column; a point that is not finite or a cell with a
- * point out of range is an error that names the body. The outputs are then empty.
+ * A body without polygons is empty, with a warning; a body that the expression does not name gives
+ * a warning, too. Errors leave the outputs empty: an invalid expression (the message gives the
+ * column), and a point that is not finite or a cell with a point out of range (the message names
+ * the body).
  *
  * @sa vtkRobustTetrahedralize vtkResolveSelfIntersections
  */
@@ -73,20 +74,20 @@ public:
 
   enum OperationType
   {
-    UNION = 0,               ///< what is in one body at least
-    INTERSECTION = 1,        ///< what is in all of them
-    DIFFERENCE = 2,          ///< what is in the first and in no other
-    SYMMETRIC_DIFFERENCE = 3 ///< what is in an odd number of them
+    UNION = 0,               ///< points in at least one body
+    INTERSECTION = 1,        ///< points in all bodies
+    DIFFERENCE = 2,          ///< points in the first and in no other
+    SYMMETRIC_DIFFERENCE = 3 ///< points in an odd number of bodies
   };
 
   ///@{
   /**
    * Set expression of the bodies, such as A - (B | C). Operators are | or + (union), &
-   * (intersection), - (difference) and ^ (symmetric difference). Default empty: Operation says it.
-   * The precedence is that of Python and C++: + and - first, then &, then ^, then |; among equals
-   * the left first. Parentheses go before all. A body is called by its name, in quotes where that
-   * is more than letters, digits and underscores; by its number, #1 the first; or by a letter, A
-   * the first, where none has that name.
+   * (intersection), - (difference) and ^ (symmetric difference). Default empty: Operation decides.
+   * The precedence is that of Python and C++: + and -, then &, then ^, then |, each from left to
+   * right; parentheses come first. A body is denoted by its name, in quotes if that has other
+   * characters than letters, digits and underscores; by its number, #1 the first; or by a letter, A
+   * the first, if no body has that name.
    */
   vtkSetStdStringFromCharMacro(Expression);
   vtkGetCharFromStdStringMacro(Expression);
@@ -94,7 +95,7 @@ public:
 
   ///@{
   /**
-   * Set operation of all bodies where Expression is empty. UNION: what is in at least one of them;
+   * Set operation of all bodies if Expression is empty. UNION: points in at least one of them;
    * INTERSECTION: in all; DIFFERENCE: in the first and no other; SYMMETRIC_DIFFERENCE: in an odd
    * number. Default UNION.
    */
@@ -104,9 +105,9 @@ public:
 
   ///@{
   /**
-   * The names of bodies in Expression and in BodyNames, one after the other. A body without a
-   * name, or with an empty one, has that of its block, or a letter. GetBodyName counts from 0, and
-   * gives nullptr where no name was added. Default none.
+   * The names of bodies in Expression and in the array BodyNames, one after the other. A body
+   * without a name, or with an empty one, has that of its block, or a letter. GetBodyName counts
+   * from 0, and returns nullptr if no name was added. Default none.
    */
   void AddBodyName(const char* name);
   void ClearBodyNames();
@@ -115,8 +116,8 @@ public:
   ///@}
 
   ///@{
-  /** Make tetrahedra even where all bodies are closed, and give those of the result as output 1.
-   * Default off: only where a body is open. */
+  /** Make tetrahedra even if all bodies are closed, and output those of the result. Default off:
+   * only if a body is open. */
   vtkSetMacro(Tetrahedra, bool);
   vtkGetMacro(Tetrahedra, bool);
   vtkBooleanMacro(Tetrahedra, bool);
@@ -124,9 +125,9 @@ public:
 
   ///@{
   /**
-   * Join the pieces of an input triangle on the boundary where all of it lies there. Default off:
-   * the triangles of the boundary are faces of the cells, where there are cells. Pieces stay where
-   * another triangle needs the points between. The boundary stays watertight.
+   * Join the pieces of an input triangle if all of them lie on the boundary. Default off: the
+   * triangles of the boundary are faces of the cells. Pieces stay if another triangle needs the
+   * points between them. The boundary stays watertight.
    */
   vtkSetMacro(MergeCoplanarPieces, bool);
   vtkGetMacro(MergeCoplanarPieces, bool);
@@ -137,16 +138,15 @@ public:
   /**
    * How each body is counted: vtkInsideOutCounting.h describes these options. MergeTolerance also
    * merges points of different bodies and closes gaps between these, with a warning for each kind.
-   * A facet all of whose corners are that near to the plane of a facet of an earlier body is moved
-   * into it. Gaps of uneven width, as
-   * between round faces, are closed by tetrahedra that belong to the last body beside them; see the
-   * statistics GapCells and GapVolume.
+   * A facet is moved into the plane of a facet of an earlier body if all its corners are within
+   * this distance. Gaps of uneven width, as between round faces, are closed by tetrahedra that
+   * belong to the last adjacent body; see the statistics GapCells and GapVolume.
    */
   vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro() vtkInsideOutTouchToleranceMacro()
     vtkInsideOutCountDuplicatesMacro()
     ///@}
 
-    /** The tetrahedra of the result, where they were made: output 1. */
+    /** Output 1: the tetrahedra of the result, if they were made. */
     vtkUnstructuredGrid* GetTetrahedraOutput();
 
 protected:

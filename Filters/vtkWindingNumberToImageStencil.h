@@ -3,16 +3,16 @@
  * @class   vtkWindingNumberToImageStencil
  * @brief   the voxels inside a surface, however broken, as an image stencil
  *
- * Takes any triangle or polygon surface and gives a vtkImageStencilData of the voxels whose centers
- * are inside it, for vtkImageStencil, vtkImageAccumulate and their like: what
- * vtkPolyDataToImageStencil does for closed surfaces that do not cross themselves. The inside is
- * where the surface's winding number is above Threshold, as in the array Inside of
- * vtkProbeWindingNumber. The image is told by InformationInput, or by OutputOrigin, OutputSpacing
- * and OutputWholeExtent, whose defaults are those of vtkImageStencilSource. A stencil knows no
- * other axes than x, y and z: an image with a direction of its own is an error.
+ * Takes any triangle or polygon surface and makes a vtkImageStencilData of the voxels whose centers
+ * are inside it, for vtkImageStencil, vtkImageAccumulate and the like. vtkPolyDataToImageStencil
+ * does this for closed surfaces without self-intersections. Inside is where the surface's winding
+ * number is above Threshold, as in the array Inside of vtkProbeWindingNumber. InformationInput
+ * defines the image, or else OutputOrigin, OutputSpacing and OutputWholeExtent, with the defaults
+ * of vtkImageStencilSource. The axes of a stencil are x, y and z: an image with a different
+ * direction matrix is an error.
  *
- * Points with normals, without polygons and lines, are a cloud, as in vtkProbeWindingNumber, whose
- * point array Area, if there is one, has the areas of its points.
+ * Points with normals, without polygons and lines, are a cloud, as in vtkProbeWindingNumber; its
+ * optional point array Area has the areas of its points.
  *
  * Bad input is an error that names the culprit, and the stencil is empty then.
  *
@@ -45,8 +45,8 @@ public:
   void SetInputData(vtkDataObject* surface);
 
   ///@{
-  /** Winding number above which the center of a voxel is inside, without unit. Default 0.5. Range
-   * minus infinity to infinity. */
+  /** Winding number above which the center of a voxel is inside. Default 0.5. Range minus infinity
+   * to infinity. */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
   ///@}
