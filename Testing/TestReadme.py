@@ -169,7 +169,7 @@ class TestPages(unittest.TestCase):
         for command in commands:
             self.assertRegex(printed, rf"(?m)^{re.escape(command)} +#")
 
-    def test_what_is_left_out_and_masked(self):
+    def test_outputs_are_alike_but_for_omitted_lines_and_masked_figures(self):
         for expected, printed, alike in (
             ("a\n...\nd", "a\nb\nc\nd", True),
             ("a\n...\nd", "a\nd", True),

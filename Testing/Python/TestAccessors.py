@@ -157,7 +157,7 @@ class Accessors(unittest.TestCase):
             self.assertIsInstance(rest, PolyData)
             self.assertAlmostEqual(surfaces.enclosed_volume(rest), 7 / 8, 12)
 
-    def test_what_is_wrong_is_marked_and_said(self):
+    def test_defects_are_marked_and_named(self):
         checked = wrap(surfaces.open_box()).insideout.check()
         self.assertIsInstance(checked, PolyData)
         self.assertGreater(checked.GetNumberOfLines(), 0)

@@ -38,7 +38,7 @@ class TestApplications(unittest.TestCase):
         self.assertEqual((on_boundary, most), (0, 1))
         self.assertGreater(inside, 1000)
 
-    def test_what_is_bent_keeps_more_of_its_volume_as_a_solid_than_as_a_surface(self):
+    def test_bent_solid_keeps_more_of_its_volume_than_bent_surface(self):
         said = self.run_example("deformation.py")
         changes = []
         for way in ("In the volume", "On the surface alone"):

@@ -135,7 +135,7 @@ class NormalsAreUnitVectors(unittest.TestCase):
         normals = vtk_to_numpy(surface.GetPointData().GetNormals())
         np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-6)
 
-    def test_where_facets_are_cut_and_remeshed(self):
+    def test_normals_have_length_1_where_facets_are_cut_and_remeshed(self):
         twice = vtkAppendPolyData()
         moved = vtkPolyData()
         moved.DeepCopy(self.sphere())

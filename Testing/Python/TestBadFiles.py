@@ -119,7 +119,7 @@ class BadFiles(CommandLine):
             self.check_bad(name, b"PK\x03\x04" + bytes(200))
             self.check_bad(name, b"\x89PNG\r\n\x1a\n" + bytes(200))
 
-    def test_what_has_another_ending(self):
+    def test_content_that_contradicts_the_ending_is_an_error(self):
         self.check_bad("picture.png", b"\x89PNG\r\n\x1a\n" + bytes(200), "unknown ending")
         self.check_bad("box.step", b"ISO-10303-21;\n", "unknown ending")
         self.check_bad("noending", self.good["box.ply"], "unknown ending")
@@ -129,7 +129,7 @@ class BadFiles(CommandLine):
         self.check_bad("points.csv", b"a,b\n1,2\n")
         self.check_bad("points.csv", b"x,y\n1,one\n")
 
-    def test_what_is_no_file(self):
+    def test_folders_and_missing_files_are_errors(self):
         for kind in (*SURFACES, "vtu"):
             os.mkdir(self.path("folder." + kind))
             self.check_failure(run_here("check", self.path("folder." + kind)), "folder." + kind, "is a directory")

@@ -66,7 +66,7 @@ class TestBodies(unittest.TestCase):
             self.assertEqual({name: round(volume, 12) for name, volume in result.bodies.items()}, {"left": 8, "right": 12})
             self.assertEqual(result.warnings, [])
 
-    def test_of_all_each_combination_is_a_region(self):
+    def test_region_rule_all_makes_a_region_of_each_combination(self):
         result = insideout.tetrahedralize({"left": LEFT, "right": RIGHT}, region_rule="all")
         self.assertEqual([(region.bodies, volume_of(region)) for region in result.regions], [(("left",), 4), (("left", "right"), 4), (("right",), 8)])
         in_body = result.solid.cell_arrays["InBody"]
@@ -305,7 +305,7 @@ class TestBodies(unittest.TestCase):
     def fail_on_work(self, stage, _):
         self.assertNotIn(stage, TETRAHEDRALIZE)
 
-    def test_what_is_wrong_is_named(self):
+    def test_wrong_bodies_and_options_are_named(self):
         bodies = {"left": LEFT, "right": RIGHT}
         for wrong, words in (
             ({"priority": ["nose"]}, "Priority names nose, which is no body; there are left, right"),
@@ -357,7 +357,7 @@ class TestCommand(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("Warning: body none: the surface has no polygons: the body is empty", done.stdout)
 
-    def test_what_bodies_lose_to_others_is_told_in_words_of_the_command(self):
+    def test_places_lost_to_other_bodies_are_told_with_options_of_the_command(self):
         insideout.write(insideout.resolve(box((0.5, 0.5, 0.5), (1, 1, 1))).surface, self.folder / "inner.ply")
         done = self.run_command("--together", "left.ply", "inner.ply", "both.msh")
         self.assertIn("bodies within body left (inner) keep their own cells, although it comes before them; set --priority to left, or --region-rule", done.stdout)
@@ -370,7 +370,7 @@ class TestCommand(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(insideout.check(self.folder / "both.ply").verdict, "bounds a solid of volume 16")
 
-    def test_what_makes_no_sense_is_said(self):
+    def test_senseless_arguments_are_told_with_their_status(self):
         for arguments, words, status in (
             (("--together", "left.ply", "right.ply", "both.vtu", "--body-array", "Part"), "--body-array cannot matter here: --together", 2),
             (("--together", "--check", "left.ply", "right.ply"), "--check meshes nothing: it goes without --together", 2),

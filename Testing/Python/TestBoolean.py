@@ -75,7 +75,7 @@ class Laws(unittest.TestCase):
         self.assertAlmostEqual(made.statistics["Volume"], 1 - 1 / 16, 9)
         self.assertIn(-1, made.bodies)  # the lid
 
-    def test_what_lies_in_a_plane_is_empty(self):
+    def test_planar_bodies_are_empty(self):
         flat = surfaces.polydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
         made = insideout.boolean([flat, flat])
         self.assertEqual((made.surface.GetNumberOfCells(), made.statistics["Volume"]), (0, 0))
@@ -202,7 +202,7 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(insideout.Error, "body B: point 3 is not finite"):
             insideout.boolean([surfaces.box(), bad])
 
-    def test_what_is_empty_or_not_named_is_told(self):
+    def test_empty_and_unnamed_bodies_are_told(self):
         made = insideout.boolean([surfaces.box(), vtkPolyData()])
         self.assertTrue(any("body B: the surface has no polygons: the body is empty" in line for line in made.warnings), made.warnings)
         self.assertAlmostEqual(made.statistics["Volume"], 1, 12)
@@ -211,7 +211,7 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(insideout.Error, "there are no surfaces"):
             insideout.boolean([])
 
-    def test_what_is_no_row_of_surfaces_is_said(self):
+    def test_operands_other_than_several_surfaces_are_errors(self):
         for one in ("nofile.stl", surfaces.box(), 3):
             with self.assertRaisesRegex(insideout.Error, f"surfaces is of type {type(one).__name__}; a boolean takes several"):
                 insideout.boolean(one)

@@ -128,7 +128,7 @@ class Names(CommandLine):
         made = insideout.boolean({"pipe": pipe, "cut": cut}, "pipe - cut").surface
         self.assertEqual(areas(made, "Face"), {"floor": 16, "roof": 7, "wall": 52, "cut": 21})
 
-    def test_what_closes_a_hole_is_called_so(self):
+    def test_triangles_that_close_a_hole_are_tagged_hole(self):
         lid_less = tagged(surfaces.open_box(), [*SIDES[:2], *SIDES[4:]])
         lid_less.GetCellData().AddArray(surfaces.strings("Face", [*SIDES[:2], *SIDES[4:]]))
         surfaces.add_array(lid_less.GetCellData(), "MaterialIds", np.array([0, 0, *[5] * 8]))
@@ -142,7 +142,7 @@ class Names(CommandLine):
 
 
 class Arrays(unittest.TestCase):
-    def test_what_is_no_one_array_stays_apart(self):
+    def test_arrays_of_different_types_stay_apart(self):
         first, second = surfaces.box((0, 0, 0), 4), surfaces.box((1, 1, 2), 3)
         surfaces.add_array(first.GetCellData(), "load", np.arange(12.0))
         surfaces.add_array(second.GetCellData(), "load", np.arange(36.0).reshape(12, 3))

@@ -39,7 +39,7 @@ class Check(unittest.TestCase):
         self.assertEqual(found.verdict, "bounds a solid of volume 1")
         self.assertEqual(found.lines.GetNumberOfCells(), 0)
 
-    def test_what_matters_and_what_does_not(self):
+    def test_findings_say_whether_they_matter(self):
         flat = polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
         both_ways = [*surfaces.BOX_FACETS, *(facet[::-1] for facet in surfaces.BOX_FACETS)]
         for name, surface, matters, text, verdict in (
@@ -58,7 +58,7 @@ class Check(unittest.TestCase):
                 self.assertTrue(finding.consequence)
                 self.assertTrue(found.verdict.startswith(verdict), found.verdict)
 
-    def test_what_matters_comes_first(self):
+    def test_findings_that_matter_come_first(self):
         second = [tuple(corner + 8 for corner in facet) for facet in surfaces.BOX_FACETS]
         points = surfaces.box_points() + surfaces.box_points((1 + 1e-9, 0, 0))
         matters = [finding.matters for finding in insideout.check(polydata(points, [*surfaces.BOX_FACETS[1:], *second])).findings]
@@ -90,7 +90,7 @@ class Check(unittest.TestCase):
             common.remove("OverlapVolume")
             self.assertEqual({name: checked[name] for name in common}, {name: meshed[name] for name in common})
 
-    def test_what_is_no_surface(self):
+    def test_inputs_other_than_surfaces_are_errors(self):
         with self.assertRaisesRegex(insideout.Error, "empty"):
             insideout.check(polydata([], []))
         with self.assertRaisesRegex(insideout.Error, "degenerate"):
@@ -144,7 +144,7 @@ class CheckCommand(CommandLine):
         with open(self.path("report.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file)["statistics"]["Points"], 12)
 
-    def test_what_it_refuses(self):
+    def test_options_of_meshing_are_refused(self):
         source = self.file("box.ply", surfaces.box())
         self.check_failure_of_check(run("--check", source, self.output), "it goes without OUTPUT.vtu")
         self.check_failure_of_check(run("--check", source, "--gamma", "1"), "it goes without --gamma")

@@ -53,7 +53,7 @@ class TestClouds(unittest.TestCase):
         naive.Update()
         np.testing.assert_allclose(vtk_to_numpy(naive.GetOutput().GetPointData().GetArray("w")), expected, atol=1e-12)
 
-    def test_what_is_inside_is_right_without_areas(self):
+    def test_inside_is_right_without_areas(self):
         where = places()
         radius = np.linalg.norm(where, axis=1)
         clear = abs(radius - RADIUS) > 0.1  # points are as far apart

@@ -130,7 +130,7 @@ class Success(CommandLine):
         self.assertNotIn("multiplied", run("--check", source).stdout)
         self.check_failure(run(source, self.output, "--scale", "0"), "scale is 0; it must be above 0")
 
-    def test_what_a_format_needs_is_known_before_the_work(self):
+    def test_needs_of_a_format_are_known_before_the_work(self):
         source = self.file("box.ply", surfaces.box())
         for ending in (".msh", ".inp", ".mesh", ".xdmf"):
             done = run(source, self.path("solid" + ending), "--merge-coplanar-pieces")
@@ -367,7 +367,7 @@ class Several(CommandLine):
         self.assertEqual(done.stdout.splitlines()[-1], "2 of 2 surfaces done")
         self.assertIn("bounds a solid of volume about 1.00000 (95 %: 0.99990 to 1.00010), once its holes are closed", done.stdout.splitlines()[-2])
 
-    def test_of_several_that_are_checked_or_evaluated_one_may_fail(self):
+    def test_one_of_several_checked_or_evaluated_surfaces_may_fail(self):
         box, broken = self.file("a.ply", surfaces.box()), self.file("broken.ply", "ply\n")
         query = self.file("query.csv", "0.5,0.5,0.5\n2,2,2\n")
         for arguments in (("--check", broken, box), ("--winding", query, broken, box, self.path("{}.csv"))):

@@ -41,7 +41,7 @@ class Demo(CommandLine):
             for statistic in wrong:
                 self.assertGreater(checked.statistics[statistic], 0, f"{name}: {statistic}")
 
-    def test_what_it_prints_works_as_it_stands_and_twice(self):
+    def test_printed_commands_work_as_they_stand_and_twice(self):
         done = run("demo", cwd=self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         script = done.stdout[done.stdout.index("cd demo") :]
@@ -74,7 +74,7 @@ class Demo(CommandLine):
                 self.assertEqual(self.in_folder("demo"), [name])
                 os.remove(path)
 
-    def test_what_is_no_folder_is_named(self):
+    def test_files_in_the_place_of_folders_are_named(self):
         path = self.file("file", "mine\n")
         done = run_here("demo", path)
         self.assertEqual((done.returncode, done.stderr), (1, f"insideout: cannot make the folder {path}: file exists\n"))

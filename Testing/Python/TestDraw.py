@@ -261,7 +261,7 @@ class Marked(CommandLine):
         with open(self.path("wrong.png"), "rb") as file:
             self.assertIn(b"2 open ends; 2 intersecting pairs; 2 crossings", file.read())
 
-    def test_what_it_has_no_use_for_is_refused(self):
+    def test_options_without_use_are_refused(self):
         source, cells, picture = self.file("box.ply", surfaces.box()), self.path("cells.vtu"), self.path("wrong.png")
         insideout.write(insideout.tetrahedralize(source), cells)
         for arguments, words in (

@@ -46,7 +46,7 @@ class TestFigures(unittest.TestCase):
         self.assertLess(outliers, facets)
         self.assertEqual(outliers, segmented)
 
-    def test_what_is_torn_apart_holds_its_volume_until_w_falls_below_a_half(self):
+    def test_torn_surface_holds_its_volume_until_w_falls_below_a_half(self):
         said = self.run_figure("torn_apart.py", "torn.png", "plot.png", "6")
         rows = re.findall(r"(\d+) degrees: (\d+) pairs cross, volume (\S+) %, energy (\S+)", said)
         self.assertEqual([row[0] for row in rows], ["0", "36", "72", "108", "144", "180"])

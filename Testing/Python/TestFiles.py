@@ -83,7 +83,7 @@ class RoundTrips(InAFolder):
                 for count in ("OpenEdges", "DegenerateFacets", "DuplicateFacets", "IntersectingPairs", "NearPoints"):
                     self.assertEqual(found[count], 0, count)
 
-    def test_what_floats_make_of_a_surface_is_told(self):
+    def test_points_brought_near_by_rounding_to_floats_are_told(self):
         corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1e-7, 0, 0), (-1, 0, 0), (0, -1, 0)]
         surface = surfaces.polydata(corners, [(0, 1, 2), (3, 4, 5)])
         with self.assertWarnsRegex(UserWarning, "near.stl: rounded to the floats that the format has: 2 points are nearer"):
@@ -202,7 +202,7 @@ class Names(InAFolder):
                     expected = f"{os.path.basename(path)}: holds {kind.upper()}, not what its name says, and was read as such"
                     self.assertEqual(warnings, [] if other.lower() == kind else [expected])
 
-    def test_what_is_compressed_badly_is_named(self):
+    def test_damaged_compression_is_named(self):
         for name in ("box.ply.gz", "box.vtp.gz"):
             write_surface(surfaces.box(), self.path(name[:-3]))
             with open(self.path(name[:-3]), "rb") as file:
@@ -216,7 +216,7 @@ class Names(InAFolder):
                     with self.assertRaisesRegex(insideout.Error, f"^{self.path(name)}: is compressed with gzip, and {reason}"):
                         read_surface(self.path(name))
 
-    def test_what_holds_more_than_the_machine_is_named(self):
+    def test_content_larger_than_memory_is_named(self):
         write_surface(surfaces.box(), self.path("box.vtp"))
         with open(self.path("box.vtp"), "rb") as file, gzip.open(self.path("box.vtp.gz"), "wb") as compressed:
             compressed.write(file.read())
@@ -243,7 +243,7 @@ class Refusals(InAFolder):
             file.write(text)
         return self.path(name)
 
-    def test_what_cannot_be_read_is_named(self):
+    def test_unreadable_files_are_named(self):
         os.mkdir(self.path("folder.ply"))
         for path, reason in (
             (self.path("missing.ply"), "no such file"),
@@ -279,7 +279,7 @@ class Refusals(InAFolder):
                 else:
                     self.assertEqual(surfaces.points_of(again).tobytes(), surfaces.points_of(surface).tobytes())
 
-    def test_what_cannot_be_written_is_named(self):
+    def test_unwritable_files_are_named(self):
         os.mkdir(self.path("folder.vtu"))
         grid = insideout.tetrahedralize(surfaces.box()).solid
         for name, reason in (

@@ -117,14 +117,14 @@ class Default(CommandLine):
     def cells_of(self, name: str) -> int:
         return len(insideout.read(self.path(name)).cells)
 
-    def test_of_the_command_is_to_refine_for_solvers_alone(self):
+    def test_command_refines_for_solvers_alone(self):
         for name, expected in (("a.inp", self.fit), ("a.msh", self.fit), ("a.mesh", self.fit), ("a.vtu", self.plain)):
             self.succeed("mesh", self.surface, self.path(name), "--quiet")
             self.assertEqual(self.cells_of(name), len(expected.solid.cells), name)
             self.succeed("mesh", self.surface, self.path(name), "--quiet", "--no-refine")
             self.assertEqual(self.cells_of(name), len(self.plain.solid.cells), name)
 
-    def test_of_the_function_is_the_same_where_it_is_told_the_output(self):
+    def test_function_refines_for_solvers_if_it_is_given_the_output(self):
         for name, expected in (("b.inp", self.fit), ("b.msh", self.fit), ("b.vtu", self.plain)):
             made = insideout.tetrahedralize(self.surface, output=self.path(name))
             self.assertEqual(len(made.solid.cells), len(expected.solid.cells), name)
@@ -167,7 +167,7 @@ class Default(CommandLine):
         self.assertEqual(insideout.check_solid(bad).statistics["PoorCells"], expected["PoorCells"])
         self.assertGreater(expected["PoorCells"], 0)
 
-    def test_of_writing_is_to_leave_cells_as_they_are(self):
+    def test_writing_leaves_cells_as_they_are(self):
         with self.assertWarnsRegex(insideout.Warning, r"c\.inp: a solver suffers from \d+ of \d+ cells, .*: refining makes better ones \(refine\)"):
             insideout.write(self.plain, self.path("c.inp"))
         self.assertEqual(insideout.read(self.path("c.inp")).cells.tolist(), self.plain.solid.cells.tolist())

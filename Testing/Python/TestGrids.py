@@ -120,7 +120,7 @@ class Shape(unittest.TestCase):
         self.assertEqual([fraction for fraction, _ in heard], sorted(fraction for fraction, _ in heard))
         self.assertIn("distances", {stage for _, stage in heard})
 
-    def test_what_cannot_be_done_is_said(self):
+    def test_wrong_shapes_and_spacings_are_errors(self):
         flat = surfaces.polydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
         for arguments, words in (
             ({}, "either shape or spacing"),

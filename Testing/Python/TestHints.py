@@ -15,7 +15,7 @@ def notes(*arguments: str) -> list[str]:
 
 
 class TestHints(CommandLine):
-    def test_whether_a_slicer_takes_a_repaired_surface_is_told_and_it_does_after_the_advice(self):
+    def test_slicers_take_a_repaired_surface_after_the_advice(self):
         touching = self.file("touching.ply", surfaces.joined(surfaces.box(), surfaces.box((1, 1, 0))))
         fixed = self.path("fixed.stl")
         crowded = "the surface is watertight, and 1 edge has more than two triangles, which some slicers refuse: --non-manifold fill adds to the solid there"

@@ -105,7 +105,7 @@ class Layers(CommandLine):
         self.assertEqual(result.statistics["FullHeightShare"], 1)
         self.assertEqual(result.statistics["Prisms"], 2 * result.boundary.GetNumberOfCells())
 
-    def test_what_is_wrong_is_named(self):
+    def test_wrong_options_are_named(self):
         for options, words in (
             ({"layers": 3}, "first_height is not"),
             ({**LAYERS, "first_height": 0.0}, "FirstHeight is 0"),

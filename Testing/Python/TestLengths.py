@@ -86,7 +86,7 @@ class Command(CommandLine):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertGreater(insideout.check_solid(self.path("fine.vtu")).solid.GetNumberOfCells(), 2000)
 
-    def test_what_is_no_length_is_refused_before_the_work(self):
+    def test_texts_other_than_lengths_are_refused_before_the_work(self):
         for bad in ("much", "-1", "-1%", "nan%"):
             done = run_here("mesh", self.path("missing.ply"), self.output, "--edge-length", bad)
             self.assertEqual(done.returncode, 2, done.stderr)

@@ -54,7 +54,7 @@ class Refused(CommandLine):
             (("check", "a.ply", "--json", "--quiet"), "--json", "--quiet prints nothing"),
         )
 
-    def test_what_cannot_matter_for_the_output(self):
+    def test_options_without_effect_on_the_output_are_refused(self):
         for given, flag, reason in self.cases():
             with self.subTest(given):
                 done = run_here(*given)
@@ -78,7 +78,7 @@ class Refused(CommandLine):
         done = run_here("mesh", "--together", curve, curve, self.output)
         self.assertIn("--together does nothing in a plane", done.stderr)
 
-    def test_what_may_matter_is_done(self):
+    def test_options_with_a_possible_effect_are_taken(self):
         source, stl = self.file("box.ply", surfaces.box()), self.path("fixed.stl")
         for more in (
             ("--edge-length", "0.5", "--surface-treatment", "split"),

@@ -118,7 +118,7 @@ class Measures(unittest.TestCase):
         self.assertAlmostEqual(result.volume, 4, 12)
         self.assertEqual((result.components, len(result.split())), (1, 1))
 
-    def test_what_cannot_be_measured_is_said(self):
+    def test_cells_without_measures_are_errors(self):
         quads = typed(surfaces.polydata(surfaces.box_points(), [(0, 1, 2, 3)]))
         with self.assertRaisesRegex(insideout.Error, "some cells have not 3 points"):
             quads.volume  # noqa: B018
@@ -222,7 +222,7 @@ class Packages(unittest.TestCase):
         with self.assertRaisesRegex(insideout.Error, "takes several surfaces"):
             insideout.boolean(mesh)
 
-    def test_what_only_looks_like_these_is_an_error(self):
+    def test_objects_that_resemble_meshes_are_errors(self):
         for thing in (types.SimpleNamespace(vertices=1, triangles=2), types.SimpleNamespace(vectors=[[0, 1, 2]], normals=0)):
             with self.assertRaises(insideout.Error):
                 insideout.check(thing)

@@ -93,7 +93,7 @@ class TestMechanics(unittest.TestCase):
         self.assertGreater(coarse, 0)  # a mesh is stiffer than what it stands for
         self.assertLess(abs(fine), coarse / 3)
 
-    def test_what_carries_a_figure_under_gravity_carries_its_weight(self):
+    def test_supports_of_a_figure_carry_its_weight(self):
         said = self.run_example("weight.py")
         weight, reaction, apart = self.numbers("weight # N, reaction # N: #", said)
         self.assertGreater(weight, 0)

@@ -81,7 +81,7 @@ class TestMembranes(unittest.TestCase):
             self.assertAlmostEqual(result.volume, alone, delta=1e-2)
             self.assertEqual(len(result.regions), count + 1)
 
-    def test_what_does_not_go_with_it_is_refused(self):
+    def test_excluded_options_are_refused(self):
         for wrong, words in (
             ({"split_seams": True}, "SplitSeams excludes MembranesSeparateRegions: it would part interfaces from their cells"),
             ({"separate_overlaps": True}, "SeparateOverlaps excludes MembranesSeparateRegions"),

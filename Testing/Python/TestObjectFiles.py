@@ -181,7 +181,7 @@ class RoundTrips(ObjectFiles):
         )
         self.assertEqual(surfaces.triangles_of(again).tolist(), surfaces.triangles_of(surface).tolist())
 
-    def test_what_floats_make_of_a_surface_is_told(self):
+    def test_points_brought_near_by_rounding_to_floats_are_told(self):
         corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1e-7, 0, 0), (-1, 0, 0), (0, -1, 0)]
         surface = surfaces.polydata(corners, [(0, 1, 2), (3, 4, 5)])
         with self.assertWarnsRegex(
@@ -248,7 +248,7 @@ class RoundTrips(ObjectFiles):
             write_surface(strips, self.path(name))
             self.assertEqual(read_surface(self.path(name))[0].GetNumberOfCells(), 2)
 
-    def test_what_a_format_cannot_hold_is_named(self):
+    def test_surfaces_beyond_the_format_are_named(self):
         quad = surfaces.polydata(surfaces.box_points(), [(0, 1, 2), (0, 3, 2, 1)])
         far = surfaces.polydata([(0, 0, 0), (1, 0, 0), (0, 1e39, 0)], [(0, 1, 2)])
         endless = surfaces.polydata([(0, 0, 0), (1, 0, 0), (0, np.nan, 0)], [(0, 1, 2)])
@@ -387,7 +387,7 @@ class GlbOfOthers(ObjectFiles):
             surfaces.triangles_of(surface).tolist(), [*strip, *fan, *np.arange(4, 16).reshape(-1, 3).tolist()]
         )
 
-    def test_what_is_passed_over_is_counted(self):
+    def test_skipped_content_is_counted(self):
         gltf = tetrahedron()
         points = {"attributes": {"POSITION": 0}}
         gltf.content["meshes"][0]["primitives"] += [{**points, "mode": 0}, {**points, "mode": 1}]

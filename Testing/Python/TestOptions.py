@@ -395,7 +395,7 @@ class Python(unittest.TestCase):
                 if isinstance(option, (Number, Order, Count)):
                     self.assertRegex(help_of(name), rf"Default {self.all_defaults[option.vtk_property]:.10g}[.:]")
 
-    def test_what_vtk_would_clamp_is_an_error_and_what_it_would_not_is_none(self):
+    def test_values_that_vtk_would_clamp_are_errors_and_no_others(self):
         for name, option in OPTIONS.items():
             made = made_for(name)
             if isinstance(option, Number):

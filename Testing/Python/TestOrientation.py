@@ -57,7 +57,7 @@ class Solid(unittest.TestCase):
                 self.assertAlmostEqual(volume(result), expected, delta=1e-9)
                 self.assertEqual(result.statistics["TurnedFacets"], turned)
 
-    def test_what_was_turned_is_listed_marked_and_warned_of(self):
+    def test_turned_facets_are_listed_marked_and_warned_of(self):
         result = insideout.tetrahedralize(SEPARATE)
         self.assertEqual(list(result.turned_cells), list(range(12, 24)))
         turned = cell_array(result.boundary, "Turned")
@@ -74,7 +74,7 @@ class Solid(unittest.TestCase):
                 self.assertAlmostEqual(volume(insideout.tetrahedralize(HOLLOW, orientation=orientation)), expected, delta=1e-9)
         self.assertEqual(insideout.tetrahedralize(SEPARATE, orientation="as-given").turned_cells, [])
 
-    def test_what_is_lost_is_warned_of(self):
+    def test_lost_area_is_warned_of(self):
         result = insideout.tetrahedralize(ABOVE_GROUND)
         (warning,) = [warning for warning in result.warnings if "is no part of the solid" in warning]
         self.assertIn("97 % are sheets, which enclose nothing: thicken gives them a width, constrain_facets keeps them", warning)
@@ -169,7 +169,7 @@ class Verdict(unittest.TestCase):
         ):
             self.assertEqual(insideout.check(surface).verdict, expected)
 
-    def test_of_sheets(self):
+    def test_verdict_counts_sheets(self):
         points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.1), (3, 0, 0), (4, 0, 0), (4, 1, 0)]
         terrain = polydata(points[:4], [(0, 1, 2), (0, 2, 3)])
         self.assertEqual(insideout.check(terrain).verdict, "bounds no solid: a sheet")

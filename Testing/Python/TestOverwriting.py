@@ -61,7 +61,7 @@ class Overwriting(CommandLine):
         for told in (("--force",), ()):  # the second time it is insideout's
             self.assertEqual(run_here("refine", solid, other, *told, "--quiet").returncode, 0)
 
-    def test_what_ending_an_output_needs_is_said_first(self):
+    def test_required_ending_of_an_output_is_told_first(self):
         points, first, second = self.file("points.csv", "x,y,z\n2,2,2\n"), self.of_others("a.off"), self.of_others("b.off")
         self.check_failure(run_here("query", points, first, second), f"{second}: unknown ending, it must be .csv")
 
@@ -74,7 +74,7 @@ class Overwriting(CommandLine):
         stl = self.file("joy.stl", ASCII[".stl"].replace("solid a", "solid InsideOut_Joy"))
         self.check_failure(run_here("repair", self.of_others("a.off"), stl, "--quiet"), f"{stl} bears no mark of insideout")
 
-    def test_whoever_says_so_replaces_it(self):
+    def test_output_and_force_replace_files_of_others(self):
         first = self.of_others("a.off")
         for told in (lambda path: ("-o", path), lambda path: ("--output", path), lambda path: (path, "--force")):
             second = self.of_others("b.off")

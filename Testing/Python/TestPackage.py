@@ -121,7 +121,7 @@ class Inputs(unittest.TestCase):
                     self.assertIs(type(result), result_type)
                     self.assertEqual(essence(result), expected)
 
-    def test_what_is_no_surface_is_one_line_that_says_what_to_do(self):
+    def test_inputs_other_than_surfaces_are_one_line_that_says_what_to_do(self):
         points, triangles = tables(self.surface)
         for surface, expected in (
             (None, "NoneType; it can be a vtkPolyData"),

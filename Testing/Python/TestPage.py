@@ -148,7 +148,7 @@ class File(CommandLine):
             if display is not None:
                 os.environ["DISPLAY"] = display
 
-    def test_what_lies_in_a_plane_has_no_page(self):
+    def test_planar_inputs_have_no_page(self):
         outline = self.file("outline.csv", "x,y\n0,0\n1,0\n1,1\n0,1\n0,0\n")
         target = self.path("page.html")
         self.check_failure(run_here("draw", outline, target), "page.html", "lies in a plane")
@@ -235,7 +235,7 @@ class InABrowser(CommandLine):
         np.testing.assert_array_equal(self.browser.pixels("#surface canvas"), first)
         self.assertEqual(self.browser.complaints(), [])
 
-    def test_what_is_wrong_alone_has_one_panel(self):
+    def test_defects_alone_have_one_panel(self):
         self.browser.show(self.page_of(demo.figure(), with_hull=False))
         self.assertEqual(self.browser.evaluate("document.querySelectorAll('canvas').length"), 1)
         found = self.count("#surface canvas", {"open": actors.OPEN, "crossing": actors.CROSSING})

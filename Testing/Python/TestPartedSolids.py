@@ -93,7 +93,7 @@ class Touching(unittest.TestCase):
         cut.Update()
         self.assertEqual(cut.GetOutput().GetNumberOfPoints(), points + 2)
 
-    def test_what_it_does_not_go_together_with(self):
+    def test_excluded_options_are_refused(self):
         surface = surfaces.two_boxes()
         for parting in ({"non_manifold": "split"}, {"separate_overlaps": True}):
             for option in ({"merge_coplanar_pieces": True}, {"split_seams": True}):
@@ -180,7 +180,7 @@ class Real(unittest.TestCase):
         left = int(statistics["Overlaps"] - statistics["SeparatedOverlaps"])
         self.assertIn(f"{left} of {int(statistics['Overlaps'])} overlaps stay glued", "\n".join(self.result.warnings))
 
-    def test_all_that_was_copied_is_in_the_volume(self):
+    def test_copied_cells_are_in_the_volume(self):
         hull, solid = self.result.hull, self.result.solid
 
         def volumes(grid):

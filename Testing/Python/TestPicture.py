@@ -47,7 +47,7 @@ class TestView(unittest.TestCase):
             with self.subTest(size=size):
                 self.assertEqual(np.argmax(np.abs(seen(box(*size))[0])), axis)
 
-    def test_what_is_longer_along_z_stands_on_it_and_all_else_along_y(self):
+    def test_surfaces_longer_along_z_stand_along_z_and_all_others_along_y(self):
         for size, up in (((1, 1, 2), Z), ((1, 2, 1), Y), ((3, 1, 2), Z), ((1, 0.98, 1), Y)):
             with self.subTest(size=size):
                 self.assertEqual(seen(box(*size))[1], up.tolist())

@@ -124,7 +124,7 @@ class Function(unittest.TestCase):
         with self.assertRaisesRegex(insideout.Error, "plane"):
             insideout.tetrahedralize((SQUARE, triangles), dimension="3")
 
-    def test_what_cannot_be_done_is_said(self):
+    def test_options_impossible_in_a_plane_are_errors(self):
         for options, words in (({"refine": True, "surface_treatment": "remeshed"}, "not remeshed"), ({"dimension": 4}, "dimension is '4'")):
             with self.assertRaisesRegex(insideout.Error, words):
                 insideout.tetrahedralize(two_squares(), **options)
@@ -137,7 +137,7 @@ class Function(unittest.TestCase):
                     insideout.write(result, os.path.join(folder, name))
             self.assertEqual(os.listdir(folder), [])
 
-    def test_what_tetrahedra_alone_can_be_given_is_refused_before_the_work(self):
+    def test_options_of_tetrahedra_alone_are_refused_before_the_work(self):
         stages = []
         for options, words in (
             ({"separate_overlaps": True}, "separates tetrahedra"),

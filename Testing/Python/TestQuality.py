@@ -150,7 +150,7 @@ class Figures(unittest.TestCase):
         self.assertEqual(found.statistics.keys(), insideout.check_solid(solid_of(*TWO)).statistics.keys())
         self.assertNotIn("MinDihedralAngle", insideout.pipeline.statistics_of(meshed.solid), "the input stays as it is")
 
-    def test_what_the_surface_forces_is_counted(self):
+    def test_sharp_edges_of_the_surface_are_counted(self):
         sharp = [(0, 0, 0), (0, 0, 1), (10, 0, 0), (10, 1, 0)]
         found = insideout.check_solid(solid_of([0, 2, 3, 1], points=sharp))
         # At the z axis, and at the edge over against it: atan(1 / 10) is 5.7 degrees.
@@ -191,7 +191,7 @@ class Defects(unittest.TestCase):
 
 
 class Inputs(unittest.TestCase):
-    def test_whatever_holds_tetrahedra(self):
+    def test_all_types_of_solids_are_taken(self):
         import meshio
 
         points, cells = np.array(CORNERS, float), np.array(TWO)
@@ -222,7 +222,7 @@ class Inputs(unittest.TestCase):
         self.assertEqual(cell_array(found.solid, "Colour").tolist(), [7, 8])
         self.assertEqual(cell_array(found.solid, "Orientation").tolist(), [1, 0])
 
-    def test_what_is_no_solid_is_named(self):
+    def test_inputs_other_than_solids_are_named(self):
         hexahedron = solid_of(*ONE, points=CORNERS + CORNERS)
         hexahedron.InsertNextCell(VTK_HEXAHEDRON, 8, list(range(8)))
         far = solid_of(*ONE)
@@ -268,7 +268,7 @@ class Command(CommandLine):
             self.assertIn(f"{found.statistics[name]:.3g}", done.stdout)
         self.assertRegex(done.stdout, r"under 10 degrees +\d+ cells; \d+ edges of the surface itself\n")
 
-    def test_what_is_wrong_is_told_and_the_report_holds_it(self):
+    def test_defects_are_told_and_in_the_report(self):
         report = self.path("report.json")
         done = run("--check", self.solid("turned.vtu", [0, 2, 1, 3]), "--report", report)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -305,7 +305,7 @@ class Command(CommandLine):
         bars = np.abs(pixels - (0.45 * 255, 0.66 * 255, 0.80 * 255)).max(axis=1) < 3
         self.assertGreater(bars.sum(), 5000, "no bars")
 
-    def test_what_it_refuses(self):
+    def test_options_of_surfaces_are_refused(self):
         solid, box = self.solid("a.vtu", *ONE), self.file("box.ply", surfaces.box())
         for arguments, words, status in (
             (("--check", solid, "--orientation", "as-given"), "--orientation is about surfaces", 2),

@@ -81,7 +81,7 @@ class OurOwn(Solids):
         quadratic = insideout.tetrahedralize({"bone": box, "soft tissue": other}, edge_length=0.4, quadratic_cells=True)
         cls.results = {"linear": cls.bodies, "quadratic": quadratic}
 
-    def test_what_was_written_comes_back(self):
+    def test_written_solids_come_back(self):
         for kind, result in self.results.items():
             for name, version in SOLVERS:
                 with self.subTest(kind=kind, name=name, version=version):
@@ -105,7 +105,7 @@ class OurOwn(Solids):
                 first, again = (Path(self.path(prefix + name)).read_bytes() for prefix in ("", "again-"))
                 self.assertEqual(again, first)
 
-    def test_what_is_outside_is_minus_one(self):
+    def test_cells_outside_are_region_minus_one(self):
         hull = insideout.tetrahedralize(surfaces.two_boxes()).hull
         for name, version in SOLVERS:
             with self.subTest(name=name, version=version):
@@ -152,7 +152,7 @@ class OfOthers(Solids):
                 quadratic, _ = read_solid(self.gmsh(SQUARE, name, "-order", "2"))
                 self.assertEqual(quadratic.GetCellType(0), VTK_QUADRATIC_TRIANGLE)
 
-    def test_what_gmsh_writes_otherwise_is_refused(self):
+    def test_other_formats_of_gmsh_are_refused(self):
         for options, words in ((("-bin",), "line 2: is binary"), (("-format", "msh40"), "line 2: is of version '4'")):
             with self.subTest(options), self.assertRaisesRegex(insideout.Error, f"{self.folder}/a.msh, {words}"):
                 insideout.read(self.gmsh(BOXES, "a.msh", *options))
@@ -259,7 +259,7 @@ class Reading(Solids):
         with self.assertRaisesRegex(insideout.Error, "no file name is set"):
             insideout.pipeline.run(insideout.vtkSolidReader())
 
-    def test_what_is_wrong_leaves_the_outputs_empty(self):
+    def test_invalid_files_leave_the_outputs_empty(self):
         reader = insideout.vtkSolidReader()
         reader.SetFileName(self.file("a.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 2000000000 1 2\n"))
         with self.assertRaisesRegex(insideout.Error, "line 5: 2000000000 points announced"):

@@ -86,7 +86,7 @@ class Surface(unittest.TestCase):
         self.assertAlmostEqual(float(sum(surfaces.exact_volumes(made.solid))), 15 / 8, delta=1e-12)
         self.assertEqual(made.statistics["BoundaryFaces"], len(boundary.triangles))
 
-    def test_what_is_told_of_a_remeshed_solid_is_that_of_its_cells(self):
+    def test_figures_of_a_remeshed_solid_are_those_of_its_cells(self):
         made = insideout.tetrahedralize(
             sphere(24), edge_length=0.5, surface_treatment="remeshed", surface_tolerance=0.1
         )
@@ -130,7 +130,7 @@ class Surface(unittest.TestCase):
         places = split.points[faces[once]] - corners[:, :1]
         np.testing.assert_allclose(np.einsum("tpk,tk->tp", places, normals), 0, atol=1e-12)
 
-    def test_what_puts_triangles_together_takes_a_surface_that_is_kept(self):
+    def test_options_that_join_triangles_take_a_surface_that_is_kept(self):
         for option, name in (("merge_coplanar_pieces", "MergeCoplanarPieces"), ("split_seams", "SplitSeams")):
             with self.assertRaisesRegex(insideout.Error, f"{name} takes a surface that is kept"):
                 insideout.tetrahedralize(surfaces.two_boxes(), refine=True, surface_treatment="split", **{option: True})

@@ -481,7 +481,7 @@ class CalculiX(InAFolder):
 
 
 class Refusals(InAFolder):
-    def test_what_does_not_fit_is_named(self):
+    def test_boundaries_and_cells_that_do_not_fit_are_named(self):
         other = insideout.tetrahedralize(surfaces.box((5, 5, 5)))
         for name in ("solid.msh", "solid.inp", "solid.mesh"):
             with self.assertRaisesRegex(insideout.Error, f"{name}: triangle 0 of the boundary is no face of the solid's cells"):

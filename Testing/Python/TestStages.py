@@ -84,7 +84,7 @@ class Again(unittest.TestCase):
         self.assertEqual(stages_of(self.filter), [])
         self.assertEqual(self.filter.GetOutput().GetMTime(), time_of_output)
 
-    def test_what_concerns_the_segmentation_runs_only_that(self):
+    def test_changes_of_the_segmentation_run_only_that(self):
         for change in (
             lambda: self.filter.SetGamma(0.5),
             lambda: self.filter.GetSegmentation().SetSigma(0.5),
@@ -94,7 +94,7 @@ class Again(unittest.TestCase):
             change()
             self.assertEqual(stages_of(self.filter), list(SEGMENTING))
 
-    def test_what_concerns_the_mesh_runs_all(self):
+    def test_changes_of_the_mesh_run_all_stages(self):
         for change in (
             lambda: self.filter.SetOrientation(1),
             lambda: self.filter.SetMergeTolerance(1e-9),

@@ -215,7 +215,7 @@ class Names(CommandLine):
 
 
 class Refused(CommandLine):
-    def test_what_a_command_has_no_use_for(self):
+    def test_arguments_without_use_are_refused(self):
         box = self.file("box.ply", surfaces.box())
         cells = self.path("cells.vtu")
         insideout.write(insideout.tetrahedralize(box).solid, cells)
@@ -361,7 +361,7 @@ class SurfaceOnly(CommandLine):
         self.assertIn("tetrahedra inside", done.stdout, done.stderr)
         self.assertTrue(surfaces.is_watertight(read_surface(self.path("fixed.ply"))[0]))
 
-    def test_what_takes_cells_is_refused_beside_the_option(self):
+    def test_outputs_of_cells_are_refused_beside_surface_only(self):
         surface = self.file("broken.ply", surfaces.two_boxes())
         self.check_failure(run(surface, self.output, "--surface-only"), "solid.vtu: takes tetrahedra, which --surface-only goes without")
 
@@ -388,7 +388,7 @@ class SetOperations(CommandLine):
         done = run("--boolean", "A - B", *self.bodies(), self.path("rest.msh"))
         self.assertIn("Wrote solid", done.stdout, done.stderr)
 
-    def test_what_is_wrong_is_one_line(self):
+    def test_wrong_expressions_and_options_are_one_line(self):
         for expression, words in {"A - (B": "column 5: this parenthesis is never closed", "A - C": "no body is called C; there are bone, left lung",
                                   " ": "--boolean is given no expression", "A - A": "nothing is left of A - A"}.items():
             self.check_failure(run("--boolean", expression, *self.bodies(), self.output), words)

@@ -47,7 +47,7 @@ class Laws(unittest.TestCase):
                     self.assertAlmostEqual(made.statistics[name], expected.statistics[name], 12, name)
                 self.assertEqual((made.warnings, made.turned_cells), (expected.warnings, expected.turned_cells))
 
-    def test_what_is_open_or_asks_for_cells_goes_through_them(self):
+    def test_open_surfaces_and_options_of_cells_go_through_tetrahedra(self):
         closed = surfaces.two_boxes()
         self.assertEqual(insideout.tetrahedralize(closed, surface_only=True).statistics["Tetrahedra"], 0)
         seeds = [((0.1, 0.1, 0.1), True)]
@@ -68,7 +68,7 @@ class Laws(unittest.TestCase):
         self.assertEqual((made.statistics["Tetrahedra"], made.statistics["Bodies"]), (1, 2))
         self.assertEqual({name: round(volume, 9) for name, volume in made.bodies.items()}, {"a": 1, "b": 1})
 
-    def test_where_nothing_is_inside_the_warning_says_why(self):
+    def test_warning_says_why_nothing_is_inside(self):
         inward = surfaces.reversed_box()
         made, expected = (insideout.tetrahedralize(inward, orientation="as-given", surface_only=only) for only in (True, False))
         self.assertEqual(made.boundary.GetNumberOfCells(), 0)
@@ -134,7 +134,7 @@ class Data(unittest.TestCase):
         solid, hull = (insideout.pipeline.statistics_of(data) for data in (filter.GetOutput(), filter.GetHull()))
         self.assertEqual(hull, solid)
 
-    def test_what_takes_cells_is_refused_of_the_boundary_alone(self):
+    def test_files_of_cells_are_refused_for_the_boundary_alone(self):
         square = surfaces.polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2, 3)])
         for surface in (surfaces.two_boxes(), surfaces.open_box(), square):
             made = insideout.tetrahedralize(surface, surface_only=True)

@@ -121,7 +121,7 @@ class OfArrays(Tags):
         result = insideout.tetrahedralize(surface, tag_array="Part")
         self.check(result, ["Gehäuse", "Gehäuse", "Deckel"] * 4)
 
-    def test_what_gives_no_tags_is_an_error_that_names_it(self):
+    def test_arrays_that_give_no_tags_are_named(self):
         surface = tagged(surfaces.box(), np.array([1.0] * 7 + [0.5] + [2.0] * 4))
         tagged(surface, np.array([np.nan] * 12), "Unknown")
         tagged(surface, np.array([2**63] * 12, np.uint64), "Huge")
@@ -367,7 +367,7 @@ class OfBlocks(Tags):
         names = ["wing", "1", "tail"]
         self.assertEqual(found, [(names, {0}), ([*names, "hole"], {1, 3}), (names, {2}), (names, {0})])
 
-    def test_what_tells_the_cells_of_a_block_apart_comes_first(self):
+    def test_arrays_that_differ_within_a_block_come_first(self):
         grouped = tagged(surfaces.box(), np.arange(12) // 6, "GroupIds")
         self.assertEqual(self.run_on(("wing", surfaces.box()), ("tail", grouped)), [(["wing", "tail"], {0}), (["0", "1"], {0, 1})])
 
@@ -494,7 +494,7 @@ class ByGeometry(Tags):
             top = result.boundary.points[result.boundary.triangles[result.tags["lid"]]]
             self.assertEqual((len(result.tags["lid"]), top[..., 2].tolist()), (2, [[1.0] * 3] * 2))
 
-    def test_what_closes_a_hole_is_tagged_too(self):
+    def test_triangles_that_close_a_hole_are_tagged_by_rules(self):
         result = insideout.tetrahedralize(surfaces.open_box(), tag_rules="lid=normal 0 0 1")
         self.assertEqual({name: len(found) for name, found in result.tags.items()}, {"surface": 10, "lid": 2})
 

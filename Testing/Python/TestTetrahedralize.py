@@ -462,7 +462,7 @@ class TetGenInTrouble(unittest.TestCase):
         with self.assertRaises(ChildProcessError):
             os.waitpid(-1, os.WNOHANG)
 
-    def test_what_a_progress_callback_raises_stops_the_work(self):
+    def test_exceptions_of_a_progress_callback_stop_the_work(self):
         self.stand_in("exec sleep infinity")
         reports = []
 
@@ -591,7 +591,7 @@ class Package(unittest.TestCase):
         self.assertEqual(fractions, sorted(fractions))
         self.assertEqual(fractions[-1], 1)
 
-    def test_what_is_no_surface_is_named(self):
+    def test_inputs_other_than_surfaces_are_named(self):
         for thing in (None, 3, vtkUnstructuredGrid()):
             with self.assertRaisesRegex(insideout.Error, type(thing).__name__):
                 insideout.tetrahedralize(thing)

@@ -97,7 +97,7 @@ class Regions(unittest.TestCase):
         self.assertIn("1 seeds that are to be inside are outside, for their regions were dropped: seed 1", " ".join(result.warnings))
         self.assertEqual(insideout.tetrahedralize(apart(), largest_regions=3, seeds=seeds).statistics["SeedConflicts"], 0)
 
-    def test_that_all_were_dropped_is_told_once(self):
+    def test_dropping_all_regions_is_told_once(self):
         result = insideout.tetrahedralize(apart(), minimum_region_volume=30)
         self.assertEqual(len(result.solid.cells), 0)
         self.assertEqual(len(result.warnings), 1)

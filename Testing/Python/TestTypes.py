@@ -142,15 +142,15 @@ class Types(unittest.TestCase):
         found = re.findall(r"program\.py:(\d+): error: (.*)", done.stdout)
         return {int(line): words for line, words in found}
 
-    def test_what_the_documentation_says_is_accepted(self):
+    def test_documented_calls_are_accepted(self):
         program = documented()
         lines = program.splitlines()
         self.assertEqual({lines[line - 1]: words for line, words in self.refused_lines(program).items()}, {})
 
-    def test_what_works_is_accepted(self):
+    def test_working_calls_are_accepted(self):
         self.assertEqual(self.refused_lines(GOOD), {})
 
-    def test_what_cannot_work_is_refused_line_by_line(self):
+    def test_calls_that_cannot_work_are_refused_line_by_line(self):
         lines = BAD.strip().splitlines()
         refused = self.refused_lines("import insideout\n" + "\n".join(lines))
         self.assertEqual([line for number, line in enumerate(lines, 2) if number not in refused], [])

@@ -68,7 +68,7 @@ class Volumes(unittest.TestCase):
         ends = (found.statistics[f"EnclosedVolume{end}"] for end in ("Low", "High"))
         return judge.Case("surface", found.verdict, *ends, made.statistics["Volume"], made.verdict)
 
-    def test_of_closed_surfaces_that_cross_are_exact(self):
+    def test_closed_surfaces_that_cross_have_exact_volumes(self):
         random = np.random.default_rng(45)
         for trial in range(20):
             boxes = [(random.random(3), 0.2 + random.random(3), 0) for _ in range(1 + trial % 5)]
@@ -78,7 +78,7 @@ class Volumes(unittest.TestCase):
             self.assertTrue(case.tells_of_mesh(), case.meshed)
             self.assertEqual(case.told, case.meshed)
 
-    def test_of_open_surfaces_are_between_their_bounds(self):
+    def test_volumes_of_open_surfaces_are_between_their_bounds(self):
         random = np.random.default_rng(46)
         cases = []
         for _ in range(60):
@@ -89,14 +89,14 @@ class Volumes(unittest.TestCase):
         self.assertGreaterEqual(sum(case.holds() for case in cases), 57)
         self.assertLess(np.median([case.width() for case in cases]), 0.2)
 
-    def test_of_real_surfaces(self):
+    def test_volumes_of_real_surfaces_are_between_their_bounds(self):
         with tempfile.TemporaryDirectory() as folder:
             cases = {Path(path).name: judge.judged(Path(path)) for path in unpack_cgal(folder, {"cow.off", "camel.off", "man.off", "bones.off", "b9_mesh.off"})}
         self.assertEqual({name: case.is_exact() for name, case in cases.items()}, {"cow.off": True, "camel.off": True, "man.off": False, "bones.off": False, "b9_mesh.off": False})
         for name, case in cases.items():
             self.assertTrue(case.holds() and case.tells_of_mesh(), f"{name}: {case}")
 
-    def test_of_what_the_winding_number_alone_bounds(self):
+    def test_solids_bounded_by_the_winding_number_alone_have_a_volume(self):
         sides = [polydata(box_points(), BOX_FACETS[2 * k : 2 * k + 2]) for k in range(6)]
         apart = joined([((0, 0, 0), (1, 1, 1), 0)])
         points = [p for side in sides for p in surfaces.points_of(side).tolist()]

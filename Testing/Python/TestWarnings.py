@@ -59,7 +59,7 @@ class Warnings(unittest.TestCase):
                 self.assertEqual(sum("are ignored" in str(warning.message) for warning in heard), 1)
                 self.assertEqual({Path(warning.filename).name for warning in heard}, {Path(__file__).name})
 
-    def test_what_is_turned_over_is_told(self):
+    def test_turned_facets_are_told_once(self):
         for name in TURNING:
             with self.subTest(name):
                 texts = [str(warning.message) for warning in heard_from(lambda: FUNCTIONS[name](surfaces.reversed_box()))]
@@ -132,7 +132,7 @@ class Warnings(unittest.TestCase):
 
 
 class Arguments(unittest.TestCase):
-    def test_what_a_function_does_not_have_is_an_error_that_names_the_nearest(self):
+    def test_unknown_arguments_are_errors_that_name_the_nearest(self):
         for call, words in (
             (lambda: insideout.tetrahedralize(surfaces.box(), gama=1), "tetrahedralize has no argument gama; the nearest is gamma"),
             (lambda: insideout.inside(surfaces.box(), POINT, treshold=1), "inside has no argument treshold; the nearest is threshold"),

@@ -240,7 +240,7 @@ class WrongInput(unittest.TestCase):
         functions = {name for name in insideout.__all__ if inspect.isfunction(getattr(insideout, name))}
         self.assertEqual(set(GOOD), functions)
 
-    def test_what_is_right_works(self):
+    def test_right_arguments_work(self):
         for name, good in GOOD.items():
             getattr(insideout, name)(**good(self.folder))
 

@@ -367,7 +367,7 @@ TEST(Blocks, PartitionsAreOneBlockOfAllFilters)
   }
 }
 
-TEST(Blocks, WhatIsMadeOfPartitionsFollowsThem)
+TEST(Blocks, OutputsOfPartitionsFollowTheirChanges)
 {
   const auto box = BoxInPartitions(vtkSmartPointer<vtkPartitionedDataSet>::New());
   vtkNew<vtkRobustTetrahedralize> filter;

@@ -215,7 +215,7 @@ TEST(Bodies, TenInABoxAreEachWhatTheyAreAlone)
   }
 }
 
-TEST(Bodies, OfThoseThatOverlapTheFirstInPriorityHasTheCells)
+TEST(Bodies, TheFirstInPriorityHasTheCellsOfAnOverlap)
 {
   const Meshed meshed = Mesh({ Box({ 0, 0, 0 }, { 2, 2, 2 }), Box({ 1, 0, 0 }, { 4, 2, 2 }) });
   const auto volumes = [&](const std::vector<Id>& priority)

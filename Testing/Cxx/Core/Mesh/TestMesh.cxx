@@ -286,7 +286,7 @@ TYPED_TEST(MeshLaws, FacetsThatAreGivenAreOnBothSides)
   EXPECT_EQ(found, 2u);
 }
 
-TYPED_TEST(MeshLaws, WhatIsRefusedLeavesTheMeshAsItWas)
+TYPED_TEST(MeshLaws, RefusedChangesLeaveTheMeshAsItWas)
 {
   SomeMesh<TypeParam> mesh;
   mesh.Change({ mesh.StarOf(0)[0] }, { mesh.Cell(mesh.StarOf(0)[0]).Corners });

@@ -233,7 +233,7 @@ TEST(SeparateOverlaps, GivesEachLimbCellsOfItsOwn)
   }
 }
 
-TEST(SeparateOverlaps, WhatWasGluedIsOnePart)
+TEST(SeparateOverlaps, GluedLayersAreOnePart)
 {
   const Separated made = Separate(ThroughItself());
   Monitor silent;

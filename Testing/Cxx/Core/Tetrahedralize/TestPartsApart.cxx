@@ -146,7 +146,7 @@ TEST(PartsApart, AllOpenPiecesAreOne)
     << "and what is between them";
 }
 
-TEST(PartsApart, WhatIsFlatJoinsWhatIsOpenOrElseTheFirstOther)
+TEST(PartsApart, FlatPiecesJoinOpenOnesOrElseTheFirstOther)
 {
   const TriangleSoup solid = BoxAt({ 0, 0, 0 }, 1);
   EXPECT_EQ(

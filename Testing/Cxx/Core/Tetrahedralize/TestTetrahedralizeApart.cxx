@@ -155,7 +155,7 @@ TEST(TetrahedralizeApart, OnePartIsTheMeshThatItWouldBe)
   ExpectSame(apart.Mesh, ConstrainedDelaunay(surface, silent));
 }
 
-TEST(TetrahedralizeApart, WhatFailsNamesItsPart)
+TEST(TetrahedralizeApart, ErrorsNameTheirPart)
 {
   const FacetComplex surface =
     Together({ testmeshes::TwistedPrism(3, -0.5), Moved(testmeshes::TwistedPrism(3, -0.5), 100) });
