@@ -28,14 +28,14 @@ ln -s "$source/CMakeLists.txt" "$source/vtk.module" "$source/Filters" "$source/T
 # end in semicolons that -Wpedantic refuses.
 cat >"$folder/unity.cmake" <<'END'
 function (set_apart)
-  set_target_properties(vtksys vtkkissfft PROPERTIES UNITY_BUILD OFF)
+  set_target_properties(vtksys vtkkissfft vtklzma vtkzlib PyvtkIOCellGridPython WrapJavaScript PROPERTIES UNITY_BUILD OFF)
   foreach (module IN ITEMS CommonDataModel CommonExecutionModel FiltersCellGrid FiltersCore IOCore IOLegacy IOXML ImagingCore)
     get_target_property(folder vtk${module} SOURCE_DIR)
     get_target_property(sources vtk${module} SOURCES)
     list(FILTER sources INCLUDE REGEX "^vtk.*\\.cxx$|Instantiate[A-Za-z]+\\.cxx$")
     foreach (source IN LISTS sources)
       get_filename_component(source ${source} ABSOLUTE BASE_DIR ${folder})
-      file(STRINGS ${source} lines REGEX "^namespace *({.*|//.*)?$|^#include .*\\.inl\"|_INSTANTIATING$")
+      file(STRINGS ${source} lines REGEX "^namespace *({.*|//.*)?$|^#include .*\\.inl\"|_INSTANTIATING$|^static bool registerType")
       if (lines)
         set_property(SOURCE ${source} TARGET_DIRECTORY vtk${module} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
       endif ()
