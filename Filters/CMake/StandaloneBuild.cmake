@@ -21,7 +21,7 @@ if (INSIDEOUT_USE_PARAVIEW)
     REQUIRES_MODULES  required_modules
     ENABLE_BY_DEFAULT ON)
 else ()
-  file(GLOB vtk_of_paraview "/usr/${CMAKE_INSTALL_LIBDIR}/cmake/paraview-*/vtk") # where there is no other
+  file(GLOB vtk_of_paraview "/usr/lib*/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/paraview-*/vtk") # where there is no other
   find_package(VTK 9.1 REQUIRED
     COMPONENTS
       CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore ImagingCore IOCore IOXML ParallelCore
@@ -29,6 +29,10 @@ else ()
     PATHS ${vtk_of_paraview})
   set(INSIDEOUT_VTK_PACKAGE VTK)
   set(INSIDEOUT_VTK_VERSION ${VTK_VERSION})
+  # scikit-build-core names the wheel after the VTK that Python finds.
+  if (SKBUILD AND NOT SKBUILD_PROJECT_VERSION_FULL MATCHES "\\+vtk${VTK_MAJOR_VERSION}\\.${VTK_MINOR_VERSION}$")
+    message(FATAL_ERROR "The wheel is ${SKBUILD_PROJECT_VERSION_FULL}, but CMake found VTK ${VTK_VERSION}: set VTK_DIR or PYTHONPATH")
+  endif ()
   set(vtk_python_folder :${VTK_PREFIX_PATH}/${VTK_PYTHONPATH})
 endif ()
 

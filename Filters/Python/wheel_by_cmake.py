@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes a wheel of the Python package, as pip's build backend (PEP 517), for the VTK that CMake finds, without TetGen.
 
+The wheel's version ends in that VTK's, as in 0.1.0+vtk9.1: another VTK needs another wheel.
+
 CMake gets the options in the environment variable CMAKE_ARGS, too. The option `build-dir` of pip's `--config-settings`
 is the folder to build in, relative to the root of the tree; by default build-wheel. Files that are up to date there
 stay, and so do the options of a configured folder.
 """
 
 import os
+import re
 import shlex
 import subprocess
 import sys
 import sysconfig
 import tempfile
 import tomllib
+from importlib.util import find_spec
 from pathlib import Path
 
 from wheel.wheelfile import WheelFile
@@ -47,7 +51,8 @@ def version_file(files):
 def version_in(files):
     made = {}
     exec(version_file(files).read_text(encoding="utf-8"), made)
-    return made["__version__"]
+    name, version = made["BUILT_WITH"].lower().split()
+    return f"{made['__version__']}+{name}{'.'.join(version.split('.')[:2])}"
 
 
 def headers(lines):
@@ -81,3 +86,16 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                            headers([("Wheel-Version", "1.0"), ("Generator", __name__), ("Root-Is-Purelib", "false"), ("Tag", tag)]))
             wheel.writestr(f"{named}.dist-info/entry_points.txt", "\n".join(sections))
     return f"{named}-{tag}.whl"
+
+
+def dynamic_metadata(settings, project):
+    """The version, for scikit-build-core: it asks before CMake finds a VTK, so it is that of Python's."""
+    from vtkmodules.vtkCommonCore import vtkVersion
+
+    vtk = vtkVersion()
+    version = re.search(r"project\(InsideOut VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+    return {"version": f"{version}+vtk{vtk.GetVTKMajorVersion()}.{vtk.GetVTKMinorVersion()}"}
+
+
+if find_spec("scikit_build_core"):
+    from scikit_build_core.build import build_wheel, get_requires_for_build_wheel  # noqa: F401, F811

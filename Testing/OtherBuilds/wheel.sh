@@ -22,11 +22,12 @@ if find . -name 'insideout-tetgen*' | grep .; then
   exit 1
 fi
 bin/insideout "$surface" solid.vtu
-exec bin/python - "$surface" <<'END'
+PYTHONPATH="$PYTHONPATH:$source/Filters/Python" exec bin/python - "$surface" <<'END'
 import sys
-from importlib.metadata import entry_points
+from importlib.metadata import entry_points, version
 
 import insideout
+import wheel_by_cmake
 from vtkmodules.vtkCommonCore import vtkVersion
 
 assert insideout.__file__.startswith(sys.prefix), insideout.__file__
@@ -34,5 +35,8 @@ result = insideout.tetrahedralize(sys.argv[1])
 assert abs(result.statistics["Volume"] - 1.75) < 1e-12, result.statistics
 assert insideout.check_solid("solid.vtu").solid.GetNumberOfCells() == len(result.solid.cells)
 assert [entry.value for entry in entry_points(group="pyvista.accessors")] == ["insideout.accessors"]
+made = version("insideout")
+assert made == f"{insideout.__version__}+vtk{vtkVersion().GetVTKMajorVersion()}.{vtkVersion().GetVTKMinorVersion()}", made
+assert made == wheel_by_cmake.dynamic_metadata({}, {})["version"]
 print("The wheel works with VTK", vtkVersion.GetVTKVersion())
 END
