@@ -16,11 +16,11 @@ The solid, its boundary and the whole hull, as VTK data sets with numpy views::
     insideout.draw("broken.ply", result.hull, "picture.png")
     insideout.draw("broken.ply", result.hull, "page.html")
 
-The solid in better cells, whose edges are at most so long::
+The same solid in better cells, with edges of about this length::
 
     insideout.refine(result.solid, edge_length=0.05).solid
 
-What a file holds, whoever wrote it: a surface, or the tetrahedra of gmsh, CalculiX, Abaqus or Medit::
+The content of a file: a surface, or tetrahedra of gmsh, CalculiX, Abaqus or Medit::
 
     insideout.read("solid.msh").cell_arrays["RegionId"]
 
@@ -40,23 +40,24 @@ them are inside::
     insideout.winding_number("broken.ply", points)
     insideout.inside("broken.ply", points)
 
-How far the surface is, negative inside; and the voxels inside, as an array, and where its first one is::
+The signed distance to the surface, negative inside; and the voxels inside, as an array, with the position of the
+first::
 
     insideout.distance("broken.ply", points)
     inside, origin = insideout.voxels("broken.ply", spacing=0.01)
 
-For machine learning distances to the solid, in whose overlapping parts are no walls, on a grid of 128^3 points::
+For machine learning: distances to the solid, without the inner walls of overlapping parts, on a grid of 128^3 points::
 
     grid = insideout.sdf_grid("broken.ply", shape=128)
     grid.distance, grid.inside, grid.origin, grid.spacing
     insideout.write(grid, "distances.npz")
 
-What surfaces and solids measure, and their parts::
+Measures of surfaces and solids, and their parts::
 
     solid = insideout.tetrahedralize("broken.ply").solid
     solid.volume, solid.components, [part.volume for part in solid.split()]
 
-The same, distances aside, for a scan: points with normals, without triangles::
+The same queries, except for distances, on a scan: points with normals, without triangles::
 
     insideout.inside(insideout.point_cloud(points, normals=points), points)
 
@@ -72,8 +73,8 @@ SURFACES
 
     The results do not depend on the type. Faces should run counterclockwise seen from outside. `scale` multiplies the
     coordinates first, because files have no unit. Solids are accepted likewise: a vtkUnstructuredGrid of tetrahedra,
-    the name of a .vtu, .msh, .inp or .mesh file, a pair (points, cells), and so on. Points are one (3,), or an array of
-    them (..., 3), with results of the shape (...); or those of a VTK data set.
+    the name of a .vtu, .msh, .inp or .mesh file, a pair (points, cells), and so on. Points are one point (3,), or an
+    array of points (..., 3), with results of the shape (...); or the points of a VTK data set.
 
 RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
@@ -99,18 +100,18 @@ RESULTS
     `mesh.insideout.tetrahedralize()`: see `insideout.accessors`.
 
 ERRORS
-    A failure is an `Error` with one line that names the culprit and, if there is one, the remedy; so is an unknown
-    argument of a function. Circumstances that may change an answer are Python warnings of the category `Warning`. They
+    A failure is an `Error` with one line that names the culprit and, if there is one, the remedy; an unknown argument
+    is an `Error`, too. Circumstances that may change an answer are Python warnings of the category `Warning`. They
     point at the line of the call, and are also in the result's `warnings`. To switch them off:
     warnings.simplefilter("ignore", insideout.Warning).
 
 STOPPING
-    Ctrl-C stops the work within a second and raises KeyboardInterrupt. `progress`, a function that is called
-    with the stage and the fraction done, may raise whatever it likes to the same end. Other threads run
-    meanwhile, and several may work at once, and so may processes that are forked or spawned.
+    Ctrl-C stops the work within a second and raises KeyboardInterrupt. `progress`, a function that is called with the
+    stage and the fraction done, may raise any exception to stop the work, too. Other threads run meanwhile, and several
+    may work at once, and so may processes that are forked or spawned.
 
 PIPELINES
-    The VTK filters are here too, for those who think in pipelines::
+    The VTK filters, for pipelines::
 
         from insideout import vtkSurfaceReader, vtkRobustTetrahedralize
 

@@ -6,8 +6,8 @@
     grid = mesh.insideout.tetrahedralize()
     grid.insideout.refine(edge_length=0.1)
 
-PyVista 0.48 and later find it, as an entry point of the wheel; where InsideOut was installed in another way
-`import insideout.accessors` makes it known. Options are those of the functions of `insideout`, which never imports this module.
+PyVista 0.48 and later find the accessors as an entry point of the wheel; after any other installation `import
+insideout.accessors` registers them. Options are those of the functions of `insideout`, which never imports this module.
 """
 
 from __future__ import annotations
@@ -48,7 +48,8 @@ class SurfaceAccessor:
     def check(self, **options: Any) -> Any:
         """The defects, as a pyvista.PolyData with the surface and the lines of its defects among its cells: see `insideout.check`.
 
-        The array `DefectColor` has the color of each, and the field data `Verdict` and `Findings` say it in words.
+        The array `DefectColor` has the color of each cell, and the field data `Verdict` and `Findings` describe the
+        defects in words.
         """
         found = check(self._mesh, **options)
         marked = with_lines(found)
@@ -63,7 +64,8 @@ class SurfaceAccessor:
 
     @for_users
     def inside(self, points: AnyPoints, **options: Any) -> NDArray:
-        """Which points are inside: see `insideout.inside`. Those of a data set, such as a pyvista.ImageData, are points, too."""
+        """Which points are inside: see `insideout.inside`. A data set, such as a pyvista.ImageData, stands for its
+        points."""
         return inside(self._mesh, points, **options)
 
     @for_users

@@ -35,12 +35,12 @@ INCONSISTENT: Colour = (0.000, 0.620, 0.451)  # bluish green
 DUPLICATE: Colour = (0.902, 0.624, 0.000)  # orange
 
 CROSSING_FACETS: Colour = (0.980, 0.800, 0.659)
-"""A light shade: the curves stand out of it where the facets are large. All of these are the DefectColor of vtkSurfaceDefects, too."""
+"""A light shade, on which the curves stand out. All of these are the DefectColor of vtkSurfaceDefects, too."""
 
 SOLID: Colour = (0.45, 0.66, 0.80)
 EDGES: Colour = (0.12, 0.25, 0.36)
 NEARER = (-4, -40)  # factor and units of the offset of lines, as of glPolygonOffset
-WITHIN = 0.72  # how dark the inner side of facets is, beside the outer one
+WITHIN = 0.72  # brightness of the inner side of facets, relative to the outer one
 SLICES = 6  # slices of a solid, with gaps of the same width between them
 
 
@@ -61,7 +61,7 @@ def triangles_of(surface: vtkPolyData) -> vtkPolyData:
 
 
 def surface_of(grid: vtkUnstructuredGrid) -> vtkPolyData:
-    """The faces of tetrahedra, those of second order with straight edges; or cells in a plane as polygons."""
+    """The faces of tetrahedra (those of second order with straight edges), or cells in a plane as polygons."""
     faces = vtkGeometryFilter()
     faces.SetInputData(grid)
     faces.SetNonlinearSubdivisionLevel(0)
@@ -70,7 +70,7 @@ def surface_of(grid: vtkUnstructuredGrid) -> vtkPolyData:
 
 
 def outside_of(hull: vtkUnstructuredGrid) -> vtkPolyData:
-    """The boundary of the tetrahedra inside, or of all where none is."""
+    """The boundary of the tetrahedra inside, or of all if none is inside."""
     solid = inside_cells(hull)
     return surface_of(solid if solid.GetNumberOfCells() else hull)
 
@@ -110,7 +110,7 @@ def behind(grid: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
 
 
 def some_slices(solid: vtkUnstructuredGrid, along: NDArray[np.float64]) -> vtkPolyData:
-    """The faces of the cells in every other of equal slices along a direction."""
+    """The faces of the cells in every second slice along a direction."""
     if solid.GetNumberOfCells() == 0:
         return vtkPolyData()
     points = vtk_to_numpy(solid.GetPoints().GetData())

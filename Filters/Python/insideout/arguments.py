@@ -20,7 +20,7 @@ from .usage import BEFORE_FILES, COMMANDS, DECK_OPTIONS, DEMO_FOLDER, OTHER_FLAG
 from .version import __version__
 
 USAGE_ERROR = 2
-"""The exit status where the arguments make no sense."""
+"""The exit status for invalid arguments."""
 
 _NOT_GIVEN: dict[str, Any] = dict.fromkeys(
     (
@@ -29,7 +29,7 @@ _NOT_GIVEN: dict[str, Any] = dict.fromkeys(
         *("dry_run", "from", "to", *DECK_OPTIONS),
     )
 )
-"""What jobs ask for, whether the command has such an option or not."""
+"""Values that jobs read, whether or not the command has the option."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Files:
         return [self.surface, *self.others]
 
     def bodies(self) -> dict[str, str]:
-        """Surfaces by the names of bodies: those of the files, and numbers behind where several are called so."""
+        """Surfaces by the names of bodies: the names of the files, with a number appended to repeated ones."""
         named: dict[str, str] = {}
         for surface in self.surfaces():
             stem = _stem_of(surface)
@@ -81,7 +81,7 @@ FILE_OPTIONS = [field.name for field in fields(Files) if field.name not in ("sur
 
 
 def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace, list[Files]]:
-    """The options, and the files of each surface (none for `demo`). Ends the program with one line if they are
+    """Return the options, and the files of each surface (none for `demo`). Ends the program with one line if they are
     invalid.
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
@@ -120,7 +120,7 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
 
 
 def _name_command(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    """The command of the short form, by those of its options that stand for a command."""
+    """The command of the short form, by the options that stand for a command."""
     standing = {
         "--check": ("check", options.check),
         "--winding": ("query", options.points is not None),
@@ -136,7 +136,7 @@ def _name_command(parser: argparse.ArgumentParser, options: argparse.Namespace) 
 
 
 def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: list[str]) -> list[Files]:
-    """The files of each surface: {} in a name stands for the surface's, without folder and ending."""
+    """The files of each surface: {} in a name stands for the surface's name, without folder and ending."""
     patterns = {name: getattr(options, name) for name in FILE_OPTIONS if getattr(options, name) is not None}
     seen: dict[str, str] = {}
     all_files = []
@@ -184,18 +184,18 @@ class _Show(argparse.Action):
 
 
 def _parser(hint: str, options: Iterable[str], some: Callable[[], str], everything: Callable[[], str]) -> argparse.ArgumentParser:
-    """A parser with options, what says more where they make no sense, and what it prints as its help."""
+    """A parser with options, a hint for invalid arguments, and its help text."""
     parser = _Parser(usage=hint, allow_abbrev=False, add_help=False)
     parser.add_argument("-h", "--help", nargs=0, action=_Show, const=some)
     parser.add_argument("--help-all", nargs=0, action=_Show, const=everything)
     for name in options:
-        argument: dict[str, Any] = {**argument_of(name), "help": argparse.SUPPRESS}  # help.py tells it
+        argument: dict[str, Any] = {**argument_of(name), "help": argparse.SUPPRESS}  # printed by help.py
         parser.add_argument(flag_of(name), *OTHER_FLAGS.get(name, []), default=argparse.SUPPRESS, **argument)
     return parser
 
 
 def _parser_of(name: str) -> argparse.ArgumentParser:
-    """That of a subcommand."""
+    """The parser of a subcommand."""
     command = COMMANDS[name]
     parser = _parser(f"insideout {name} --help", command.options, partial(screen_of, name), partial(screen_of, name, everything=True))
     for operand in BEFORE_FILES:
@@ -209,7 +209,7 @@ def _parser_of(name: str) -> argparse.ArgumentParser:
 
 
 def _parser_of_short_form() -> argparse.ArgumentParser:
-    """That of the command without a subcommand: of `mesh`, with options that stand for others."""
+    """The parser of the command without a subcommand: that of `mesh`, with options that stand for other subcommands."""
     parser = _parser("--help", (*COMMANDS["mesh"].options, "distance"), screen, all_screens)
     parser.add_argument("--version", action="version", version=f"insideout {__version__}")
     parser.add_argument("--check", action="store_true")

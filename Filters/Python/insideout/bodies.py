@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Several surfaces as the bodies of one, and the parts of a boundary that has interfaces."""
+"""Several surfaces joined as bodies of one surface, and the parts of a boundary with interfaces."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .pipeline import run
 from .surfaces import AnySurface, as_surface, is_stl
 
 AnyBodies = Union[AnySurface, Mapping[str, AnySurface]]
-"""A surface, or several by their names, which are the bodies of one mesh."""
+"""A surface, or several surfaces by name, which are the bodies of one mesh."""
 
 BODY_IDS, BODY_NAMES = "BodyIds", "BodyNames"
 """The cell array that numbers joined surfaces, and the field array of their names."""
@@ -34,7 +34,7 @@ def as_body(name: str, surface: AnySurface, scale: float) -> tuple[vtkPolyData, 
 
 
 def join(surfaces: Mapping[str, AnySurface], scale: float = 1) -> tuple[vtkPolyData, list[str]]:
-    """Surfaces as one, whose cell array BodyIds tells them apart, with the data that all of them have; and warnings."""
+    """Join surfaces into one, with the cell array BodyIds and the data that all of them have. Returns warnings, too."""
     if not surfaces:
         raise Error("there are no bodies: the mapping is empty")
     append = vtkAppendPolyData()
@@ -86,7 +86,7 @@ def _keep_array(data: vtkDataSetAttributes, name: str) -> list[str]:
 
 
 def as_bodies(surface: AnyBodies, scale: float, array: Optional[str]) -> tuple[vtkPolyData, list[str], Optional[str]]:
-    """A surface as VTK holds it, warnings, and the array that identifies the bodies: a mapping brings its own."""
+    """A surface as VTK holds it, warnings, and the array that identifies the bodies (made here for a mapping)."""
     if not isinstance(surface, Mapping) or is_stl(surface):
         return (*as_surface(cast(AnySurface, surface), scale), array)
     if array is not None:
@@ -95,7 +95,7 @@ def as_bodies(surface: AnyBodies, scale: float, array: Optional[str]) -> tuple[v
 
 
 def region_ids(boundary: vtkPolyData) -> Optional[NDArray[np.int32]]:
-    """The regions behind and in front of each triangle; None where the boundary is of one body."""
+    """The regions behind and in front of each triangle; None for a boundary of one body."""
     array = boundary.GetCellData().GetArray("RegionIds")
     return None if array is None else vtk_to_numpy(array)
 
@@ -107,11 +107,11 @@ def outer_boundary(boundary: TriangleSurface) -> TriangleSurface:
         return boundary
     outer = vtkPolyData()
     outer.DeepCopy(boundary)
-    outer.BuildCells()  # what DeleteCell takes
+    outer.BuildCells()  # required by DeleteCell
     for triangle in np.flatnonzero(regions[:, 1] >= 0).tolist():
         outer.DeleteCell(triangle)
     outer.RemoveDeletedCells()
-    used = vtkCleanPolyData()  # points of interfaces are left
+    used = vtkCleanPolyData()  # removes points of interfaces
     used.SetInputData(outer)
     used.PointMergingOff()
     run(used)

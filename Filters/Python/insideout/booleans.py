@@ -33,9 +33,9 @@ class Boolean(MeshResult):
     """The result of `boolean`. The VTK class vtkWindingBoolean describes the arrays."""
 
     surface: TriangleSurface
-    """The result's boundary: watertight, oriented outward, no two of its triangles cross; with the data of all bodies."""
+    """The result's boundary: watertight, oriented outward, without crossing triangles, with the data of all bodies."""
     solid: Tetrahedra
-    """The result in tetrahedra where these were made, for a body was open, a gap closed or `tetrahedra` asked for them; else empty."""
+    """The result in tetrahedra, if a body was open, a gap was closed, or `tetrahedra` was given; else empty."""
     names: list[str]
     """The names of the bodies, by their `BodyId`."""
     statistics: Statistics
@@ -45,7 +45,7 @@ class Boolean(MeshResult):
 
     @property
     def bodies(self) -> NDArray[np.int32]:
-        """Per triangle of the surface the body that it is a piece of, by its place in `names`; -1 where a hole was closed."""
+        """The body of each triangle of the surface, as an index into `names`; -1 where a hole was closed."""
         return vtk_to_numpy(self.surface.GetCellData().GetArray("BodyId"))
 
     def figures(self) -> list[tuple[str, str]]:
@@ -82,23 +82,24 @@ def boolean(
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> Boolean:
-    """The surface of what a set expression makes of several bodies, however broken their surfaces are.
+    """The surface of a set expression of several bodies, however broken their surfaces are.
 
-    surfaces    several of what `insideout` takes for one; by names, as in {"liver": "liver.stl", "tumor": ...}, or in a
-                row, as A, B, C ...
-    expression  such as "A - (B | C) ^ D". Operators are | or + (union), & (intersection), - (difference) and ^ (symmetric
-                difference), with the precedence that they have in Python: + and - first, then &, then ^, then |. A name
-                that is more than letters, digits and underscores stands in quotes; #1 is the first body
-    operation   without an expression, what to make of all: "union", "intersection", "difference" (the first less the
-                others) or "symmetric-difference"
-    tetrahedra  make the result's tetrahedra, too; without it they are made only where a body is open, or where gaps close that
-                are narrower than `merge_tolerance`
-    progress    called with the stage and the fraction of all the work that is done; what it
-                raises stops the work and is raised
+    surfaces    several surfaces of any type that `insideout` accepts: a dict by name, as in {"liver": "liver.stl",
+                "tumor": ...}, or a list, called A, B, C ...
+    expression  such as "A - (B | C) ^ D". Operators are | or + (union), & (intersection), - (difference) and ^
+                (symmetric difference), with the precedence that they have in Python: + and - first, then &, then ^,
+                then |. A name with other characters than letters, digits and underscores stands in quotes; #1 is the
+                first body
+    operation   set operation of all bodies, if there is no expression: "union", "intersection", "difference" (the first
+                minus the others) or "symmetric-difference"
+    tetrahedra  make the result's tetrahedra, too; by default they are made only if a body is open or `merge_tolerance`
+                closes a gap
+    progress    called with the stage and the fraction of all the work that is done; an exception that it raises stops
+                the work and is raised
 
     {options}
 
-    Returns a `Boolean`. Raises `Error` with one line that names what is wrong: of an expression, its column.
+    Returns a `Boolean`. Raises `Error` with one line that names the culprit; for an expression, its column.
     """
     options = Options.among(locals())
     algorithm = vtkWindingBoolean()

@@ -16,14 +16,13 @@ from .errors import Error, Warning, brief
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 _heard: ContextVar[Optional[list[str]]] = ContextVar("heard", default=None)
-"""The warnings of the function that a user has called, so far."""
+"""The warnings so far of the function that a user has called."""
 
 
 def for_users(function: Function) -> Function:
-    """A function that a user calls.
-
-    What it tells, or what the `warnings` of its result say, becomes Python warnings of the category `Warning` that point at
-    the caller, each once. Functions that it calls in turn leave theirs to it.
+    """Decorate a function that a user calls. Its warnings, and the `warnings` of its result, become Python warnings of
+    the category `Warning` that point at the caller, each once. Functions that it calls in turn pass their warnings to
+    it.
     """
     signature = inspect.signature(function)
 
@@ -45,7 +44,7 @@ def for_users(function: Function) -> Function:
 
 
 def tell(texts: Iterable[str]) -> None:
-    """Warn about an answer that cannot hold warnings: an array."""
+    """Warn about a result that cannot hold warnings: an array."""
     heard = _heard.get()
     if heard is not None:
         heard.extend(texts)

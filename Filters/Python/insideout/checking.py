@@ -25,11 +25,11 @@ class Finding:
     """One kind of defect of a surface."""
 
     text: str
-    """What and how often, for example "64 open edges"."""
+    """Count and kind, for example "64 open edges"."""
     matters: bool
-    """Whether the solid may not be the one that is meant, or there may be none."""
+    """Whether the solid may differ from the intended one, or be missing."""
     consequence: str
-    """What InsideOut makes of it."""
+    """How InsideOut treats it."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -37,19 +37,19 @@ class Check(MeshResult):
     """The result of `check`. The VTK class vtkSurfaceDefects describes the arrays."""
 
     surface: Union[TriangleSurface, Polylines]
-    """The surface with what is wrong marked per cell; lines where lines were given."""
+    """The surface, or the lines, with the defects marked per cell."""
     lines: Polylines
-    """Open, non-manifold and inconsistent edges and intersection curves, told apart by DefectType; of lines their open ends,
-    crossings and T-junctions, as vertices."""
+    """Open, non-manifold and inconsistent edges and intersection curves, distinguished by DefectType; for lines their
+    open ends, crossings and T-junctions, as vertices."""
     statistics: Statistics
     """Counts by name."""
     findings: list[Finding]
     """The defects, most important first; empty if there are none."""
     shell_volumes: list[float]
-    """What each shell of the surface encloses: negative for a cavity, 0 for a sheet. The cell array ShellId tells them apart.
-    Empty for lines."""
+    """The volume of each shell of the surface, by the cell array ShellId: negative for a cavity, 0 for a sheet. Empty
+    for lines."""
     verdict: str
-    """Whether it bounds a solid, in one sentence: "bounds a solid of volume 2 after turning 1 of 2 shells over"."""
+    """One sentence: "bounds a solid of volume 2 after turning 1 of 2 shells over"."""
     warnings: list[str]
     """Warnings about the input, one line each."""
 
@@ -113,7 +113,7 @@ def find(statistics: Mapping[str, float]) -> list[Finding]:
 
 
 def find_among(defects: Sequence[Defect], statistics: Mapping[str, float]) -> list[Finding]:
-    """Those of some defects that are there by their counts, in their order."""
+    """The findings of some kinds of defects whose counts are not 0, in the order of the kinds."""
     findings = []
     for defect in defects:
         if defect.consequence and statistics[defect.statistic] > 0:

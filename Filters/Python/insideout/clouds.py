@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`point_cloud`: points with normals as a surface that can be asked, though it has no triangles."""
+"""`point_cloud`: points with normals as a surface for queries, without triangles."""
 
 from __future__ import annotations
 

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command `insideout`, which is `python3 -m insideout`, too.
 
-Everything that can be known to fail is checked before the work begins: names, endings, folders and
-parameters. Files are written before anything is printed about them. Several surfaces are worked on one
-after the other; one that fails does not keep the others from it.
+Names, endings, folders and parameters are checked before the work begins. Files are written before anything is printed
+about them. Several surfaces are processed one after the other; one that fails does not stop the others.
 """
 
 from __future__ import annotations
@@ -39,9 +38,9 @@ JOBS: dict[str, type[Job]] = {
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """Do what the arguments say. Returns the exit status: 0 when that was done for every surface, 1 when it was not, 2 when the
-    arguments make no sense."""
-    with quietly():  # each job tells its warnings
+    """Run the command. Returns the exit status: 0 if every surface succeeded, 1 if one failed, 2 for invalid
+    arguments."""
+    with quietly():  # each job prints its warnings
         return _main(arguments)
 
 
@@ -68,7 +67,7 @@ def _main(arguments: Optional[Sequence[str]]) -> int:
 
 
 def job_of(options: argparse.Namespace, files: Files) -> Job:
-    """What to do with the files of one surface, or of one solid."""
+    """The job for the files of one surface, or of one solid."""
     job = JOBS[options.command]
     if options.command in ("check", "draw") and files.is_solid():
         job = SolidCheckJob
@@ -78,7 +77,7 @@ def job_of(options: argparse.Namespace, files: Files) -> Job:
 
 
 def check_names(options: argparse.Namespace, all_files: Sequence[Files]) -> None:
-    """Raise `Error` where a file would be written that is read too, or written twice, under whatever names."""
+    """Raise `Error` if a file would be both read and written, or written twice, even under different names."""
     read = [*(surface for files in all_files for surface in files.surfaces()), options.points, getattr(options, "seeds", None)]
     inputs = {identity(path): path for path in read if path not in (None, "-")}
     outputs: dict[object, str] = {}

@@ -17,15 +17,13 @@ from .serializing import vtk_array
 CURVE = ".csv"
 
 COLUMNS = ("x", "y", "z", "path")
-"""z, and path, may be missing"""
+"""z and path may be missing"""
 
 
 def read_curve(path: str) -> vtkPolyData:
-    """The polylines in a .csv file of their points, a line for each: x, y, maybe z, and maybe path.
-
-    Points that follow each other on one path are joined, and without paths all are one. A first line may name the
-    columns, in any order; without names they are x, y, z and path as far as there are any. Raises `Error` that names
-    the file, and the line.
+    """Read polylines from a .csv file with a line per point: x, y and optionally z and path. Consecutive points of one
+    path are joined; without paths all points are one polyline. A first line may name the columns, in any order; without
+    it they are x, y, z, path. Raises `Error` that names the file and the line.
     """
     try:
         with open(path, newline="", encoding="utf-8-sig", errors="surrogateescape") as file:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""VTK's data sets with numpy views of what is in them."""
+"""VTK's data sets with numpy views of their contents."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from .serializing import make_cells, packed, types_of_cells, unpacked
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPointSet as _PointSet
 else:
-    _PointSet = object  # of VTK's classes only one can be a base: that of the class with the views
+    _PointSet = object  # only one VTK class can be a base: that of the class with the views
 
 DataSet = TypeVar("DataSet", bound=vtkDataSet)
 
@@ -63,7 +63,7 @@ class _Views(_PointSet):
         return _arrays_of(self.GetCellData())
 
     def to_pyvista(self) -> Any:
-        """The same as PyVista has it, with all arrays, which are shared."""
+        """The same as a data set of PyVista, with all arrays, which are shared."""
         return pyvista_of(self)
 
 
@@ -86,12 +86,12 @@ class TriangleSurface(_Views, vtkPolyData):
 
     @property
     def is_watertight(self) -> bool:
-        """Whether each edge has equally many triangles in both directions. Points at one place are one."""
+        """Whether each edge has equally many triangles in both directions. Coincident points count as one."""
         return is_closed(self._joined())
 
     @property
     def components(self) -> int:
-        """The number of parts connected through edges. Points at one place are one."""
+        """The number of parts connected through edges. Coincident points count as one."""
         return _number_of(labels_of_parts(self._joined()))
 
     def split(self) -> list[TriangleSurface]:
@@ -114,12 +114,12 @@ class TriangleSurface(_Views, vtkPolyData):
         return open3d_of(self.points, self.triangles)
 
     def to_stl(self) -> Any:
-        """The same as a mesh.Mesh of numpy-stl, whose coordinates are of single precision."""
+        """The same as a mesh.Mesh of numpy-stl, with coordinates in single precision."""
         return stl_of(self.points, self.triangles)
 
     @property
     def tag_names(self) -> list[str]:
-        """The names of the tags in the cell array BoundaryTag, if it has any."""
+        """The names of the tags in the cell array BoundaryTag, if there are any."""
         return strings_of(self.GetFieldData().GetAbstractArray("BoundaryTagNames"))
 
 
@@ -128,7 +128,7 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
 
     @property
     def cells(self) -> NDArray[np.int64]:
-        """The four points of each tetrahedron, positively oriented; all ten of those that are quadratic."""
+        """The four points of each tetrahedron, positively oriented; all ten if they are quadratic."""
         return corners_of(self.GetCells(), 10 if self._is_quadratic() else 4)
 
     @property
@@ -138,7 +138,8 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
 
     @property
     def boundary(self) -> TriangleSurface:
-        """The faces that one tetrahedron has, outward, without data. That of a result has more: the input's attributes."""
+        """The faces of exactly one tetrahedron, oriented outward, without data. The boundary of a result has the
+        input's attributes, too."""
         used, corners = np.unique(faces_of_one_cell(self.cells), return_inverse=True)
         surface = TriangleSurface()
         surface.SetPoints(points_as(self, self.points[used]))
@@ -147,7 +148,7 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
 
     @property
     def is_watertight(self) -> bool:
-        """Whether its boundary is watertight: no face has more than two tetrahedra."""
+        """Whether the boundary is watertight: no face has more than two tetrahedra."""
         return self.boundary.is_watertight
 
     @property
@@ -170,11 +171,12 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
         return self.cell_arrays["Inside"].astype(bool)
 
     def to_meshio(self) -> Any:
-        """The same as a meshio.Mesh, with all arrays. That of the whole result has the boundary and groups, too."""
+        """The same as a meshio.Mesh, with all arrays. The meshio.Mesh of the whole result has the boundary and groups,
+        too."""
         return mesh_of(self, self.kind(), self.cells)
 
     def kind(self) -> str:
-        """What meshio calls the type of its cells."""
+        """Meshio's name of the cell type."""
         return "tetra10" if self._is_quadratic() else "tetra"
 
     def _is_quadratic(self) -> bool:
@@ -218,7 +220,7 @@ class LayeredCells(_Views, vtkUnstructuredGrid):
 
 
 _LAYERED_TYPES = {"tetra": (VTK_TETRA, 4), "pyramid": (VTK_PYRAMID, 5), "wedge": (VTK_WEDGE, 6)}
-"""VTK's types of their cells, and how many points these have."""
+"""VTK's types of their cells, and the number of points of each."""
 
 
 class Triangles(_Views, vtkUnstructuredGrid):
@@ -231,7 +233,7 @@ class Triangles(_Views, vtkUnstructuredGrid):
 
     @property
     def volume(self) -> float:
-        """In two dimensions the area."""
+        """The area."""
         return area(self.points, self.cells)
 
     @property
@@ -258,7 +260,7 @@ class Triangles(_Views, vtkUnstructuredGrid):
         return mesh_of(self, self.kind(), self.cells)
 
     def kind(self) -> str:
-        """What meshio calls the type of its cells."""
+        """Meshio's name of the cell type."""
         return "triangle"
 
 
@@ -296,7 +298,7 @@ def has_layers(grid: vtkUnstructuredGrid) -> bool:
 
 
 def as_type(data_type: type[DataSet], data: vtkDataSet) -> DataSet:
-    """The same data, not copied, as another of the types here."""
+    """The same data, not copied, as another of these types."""
     typed = data_type()
     typed.ShallowCopy(data)
     return typed
@@ -307,7 +309,7 @@ def _points_of(data: Union[vtkPolyData, vtkUnstructuredGrid]) -> NDArray[np.floa
 
 
 def corners_of(cells: vtkCellArray, size: int) -> NDArray[np.int64]:
-    """The points of cells that all have the same number of them."""
+    """The points of each cell, if all cells have the same number of points."""
     if cells.GetNumberOfConnectivityIds() != size * cells.GetNumberOfCells():
         raise Error(f"some cells have not {size} points: go through vtkTriangleFilter first")
     return vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, size)

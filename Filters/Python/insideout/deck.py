@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Material, supports and loads of a static analysis, with which CalculiX runs an .inp file."""
+"""Material, supports and loads that complete an .inp file for a static analysis with CalculiX."""
 
 from __future__ import annotations
 
@@ -21,11 +21,12 @@ USUAL_UNIT = "mm"
 
 @dataclass(frozen=True)
 class Deck:
-    """A static analysis of a solid. The forces of consistent units are newtons: millimeters go with megapascals and tonnes."""
+    """A static analysis of a solid. Units are consistent, with forces in newtons: millimeters go with megapascals and
+    tonnes."""
 
     material: str
     fixed: Sequence[str]
-    """The tags whose points stay where they are."""
+    """The tags whose points are fixed."""
     pressures: Sequence[Sequence[str]]
     """Tags and the pressures on them, in newtons per squared unit."""
     has_weight: bool
@@ -44,7 +45,7 @@ class Deck:
         return [*self.fixed, *(tag for tag, _ in self.pressures)]
 
     def text_behind(self, mesh: str) -> str:
-        """The lines that go behind those of a mesh. Raises `Error` for a tag that this does not have."""
+        """The lines to append to those of a mesh. Raises `Error` for a tag that the mesh does not have."""
         names = _names_of_sets(mesh, self.tags())
         modulus, ratio, density = MATERIALS[self.material]
         meters = float(UNITS[self.unit])
@@ -62,9 +63,7 @@ class Deck:
 
 
 def _names_of_sets(mesh: str, tags: Sequence[str]) -> dict[str, str]:
-    """The names of tags' sets in an .inp file, by the tags; by themselves where no tag is called so.
-
-    Raises `Error` for one of the tags that is not there, and where several have its name.
+    """The names of the sets of tags in an .inp file, by tag. Raises `Error` for a tag that is missing or not unique.
     """
     found = re.findall(r"^\*\* (\w+): tag \d+, (.*)$", mesh, re.MULTILINE)
     for tag in tags:

@@ -10,7 +10,7 @@ class Defect(NamedTuple):
     statistic: str  # the filters' name of its count
     one: str
     several: str
-    consequence: str = ""  # InsideOut's treatment; empty for defects that only a mesh can show
+    consequence: str = ""  # how InsideOut treats it; empty for defects that only a mesh can show
     matters: bool = False  # whether the solid may be wrong or missing
 
     def counted(self, count: float) -> str:

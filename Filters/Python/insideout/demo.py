@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small broken surfaces for trying the commands, made by arithmetic only: the same at each call."""
+"""Small broken surfaces for trying the commands, computed without random numbers: the same at each call."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .serializing import vtk_array
 from .surfaces import make_surface
 
 DECIMALS = 6
-"""digits of coordinates: sine and cosine differ in the last digits from processor to processor"""
+"""decimals of coordinates: the last digits of sine and cosine differ between processors"""
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Mesh:
     triangles: NDArray[np.int64]
 
     def without(self, chosen: Callable[[NDArray[np.float64]], NDArray[np.bool_]]) -> Mesh:
-        """The same without the triangles whose centers are chosen."""
+        """The same surface without the triangles whose centers are selected."""
         centers = self.points[self.triangles].mean(axis=1)
         return Mesh(self.points, self.triangles[~chosen(centers)])
 
@@ -34,7 +34,7 @@ class Mesh:
         return Mesh(self.points, self.triangles[:, ::-1])
 
     def surface(self) -> vtkPolyData:
-        """With as many decimals as all processors agree on."""
+        """The surface with coordinates rounded to the decimals on which all processors agree."""
         used, triangles = np.unique(self.triangles, return_inverse=True)
         return make_surface(np.round(self.points[used], DECIMALS) + 0.0, triangles.reshape(-1, 3))
 
@@ -50,7 +50,7 @@ def joined(meshes: Iterable[Mesh]) -> Mesh:
 
 
 def ball(center: Sequence[float], radii: Sequence[float], around: int, rings: int, bumps: float = 0, turn: float = 0) -> Mesh:
-    """An ellipsoid whose poles are on its z axis, with bumps as high as this share of its radii, turned by an angle."""
+    """An ellipsoid with poles on its z axis, with bumps of this height relative to its radii, rotated by an angle."""
     k = np.arange(around)
     azimuth, polar = 2 * np.pi * k / around + turn, np.pi * np.arange(1, rings) / rings
     u, v = np.meshgrid(azimuth, polar)
@@ -107,9 +107,8 @@ def box_corners(low: Sequence[float], high: Sequence[float]) -> NDArray[np.float
 
 
 def figure() -> vtkPolyData:
-    """A body, a head, arms and a nose that overlap. The arms are open within the body; body and head have holes.
-
-    Each part is turned a little, so that hardly any points nearly coincide.
+    """A body, a head, arms and a nose that overlap. The arms are open within the body; body and head have holes. Each
+    part is rotated a little, so that hardly any points nearly coincide.
     """
     body = ball((0, 0, 0), (1, 0.8, 1), 28, 18, turn=0.05).without(lambda at: np.linalg.norm(at - (0.5, -0.6, -0.35), axis=1) < 0.3)
     head = ball((0, 0, 1.4), (0.6, 0.6, 0.6), 24, 14, turn=0.11).without(lambda at: (at[:, 2] > 1.75) & (at[:, 1] < 0))
@@ -125,7 +124,7 @@ def inverted() -> vtkPolyData:
 
 
 def organ() -> vtkPolyData:
-    """In centimeters; where the vessels enter it has a hole."""
+    """An organ in centimeters, with a hole where the vessels enter."""
     return ball((0, 0, 0), (10, 7, 6), 36, 20, bumps=0.12).without(lambda at: (at[:, 2] < -5.0) & (abs(at[:, 0]) < 2.5)).surface()
 
 
@@ -134,19 +133,18 @@ def tumor() -> vtkPolyData:
 
 
 def scan() -> vtkPolyData:
-    """A lump as a scanner sees it, from above: without a bottom, and with a hole."""
+    """A lump as scanned from above: without a bottom, and with a hole."""
     lump = ball((0, 0, 0), (1, 0.9, 1.2), 40, 24, bumps=0.15)
     return lump.without(lambda at: (at[:, 2] < -0.6) | (np.linalg.norm(at - (0.75, -0.45, 0.4), axis=1) < 0.25)).surface()
 
 
 def bracket() -> vtkPolyData:
-    """In millimeters: a wall, a shelf and a rib that overlap and are not joined, with the groups body, clamp and load.
-
-    The shelf is open within the wall.
+    """A bracket in millimeters: a wall, a shelf and a rib that overlap and are not joined, with the groups body, clamp
+    and load. The shelf is open within the wall.
     """
     wall, shelf = box_corners((0, -20, 0), (8, 20, 60)), box_corners((4, -18, 44), (70, 18, 52))
     rib = np.array([(4, y, z) for y in (-3, 3) for z in (8, 48)] + [(56, y, 48) for y in (-3, 3)], float)
-    across = np.array([(40, -18, 52), (40, 18, 52)], float)  # the line on the shelf behind which it is loaded
+    across = np.array([(40, -18, 52), (40, 18, 52)], float)  # position on the shelf from which on it is loaded
     quads = [*BOX_SIDES.values(), (9, 10, 14, 13), (8, 11, 10, 9), (12, 22, 23, 15), (22, 13, 14, 23)]
     quads += [(16, 17, 19, 18), (16, 18, 21, 20), (17, 20, 21, 19)]
     groups = ["clamp", *["body"] * 8, "load", *["body"] * 7]
@@ -169,7 +167,7 @@ def with_groups(surface: vtkPolyData, groups: Sequence[str]) -> vtkPolyData:
 
 
 def grid_around(surface: vtkPolyData, points: int) -> vtkImageData:
-    """An image around a surface, with this many points along its longest side."""
+    """An image around a surface, with this number of points along its longest side."""
     low, high = np.array(surface.GetBounds()).reshape(3, 2).T
     spacing = 1.1 * (high - low).max() / (points - 1)
     size = np.ceil(1.1 * (high - low) / spacing).astype(int) + 1

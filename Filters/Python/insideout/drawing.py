@@ -47,28 +47,27 @@ def draw(
     A .png file is a picture. An .html file is a page to turn and to cut, with the report: any browser with WebGL 2 shows
     it, without a network.
 
-    surface  what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...; or what
-             `check` found of it, where only that is drawn
-    hull     all tetrahedra of its hull, `tetrahedralize(surface).hull`; or None for what is wrong alone, from
-             two sides, with the worst places and all counts
+    surface  any type of surface that `insideout` accepts: a vtkPolyData, a file's name, a pair (points, triangles) ...;
+             or a `Check`, to draw the defects alone
+    hull     all tetrahedra of its hull, `tetrahedralize(surface).hull`; or None to draw the defects alone, from two
+             sides, with the worst places and all counts
     picture  the file's name, .png or .html
-    solid    what is inside, where that is not cells of the hull but made of them: a refined `result.solid`
-    title    what a page calls the surface; if it is not given the name of its file
-    up       which axis is up, "x", "y" or "z"; if it is not given z for a .stl file, otherwise y, or z where
-             the surface is longer along it by a tenth
-    row      a whole row of a contact sheet: the solid's boundary, and its tetrahedra in slices, as well; not of a page
+    solid    the solid, if its cells are not those of the hull: a refined `result.solid`
+    title    the heading of a page; by default the name of the surface's file
+    up       which axis is up, "x", "y" or "z"; by default z for a .stl file, otherwise y, or z if the surface is longer
+             along z by a tenth
+    row      draw a whole row, with the solid's boundary and its tetrahedra in slices, too; not for a page
 
     {options}
 
-    It is seen from the side that shows most: of the four sides, or from above if it is very flat, the one
-    whose outline is largest, and of two opposite ones that with more points before the middle. The counts
-    are those of the run that made the hull, and stand in the file's description, too; give the options it
-    had for the marks to agree with them. Colors are those of Okabe and Ito, which color-blind readers tell
-    apart. In two dimensions it is the curve with its defects as
-    points, w in all triangles, and those inside, seen straight from above.
+    The view is that of the four sides (and the top, if the surface is very flat) with the largest outline; of two
+    opposite sides, the one with more points in front of the middle. The counts are those of the run that made the hull,
+    and are in the file's description, too; give the same options, so that the marks agree with them. Colors are those
+    of Okabe and Ito, which color-blind readers can distinguish. In two dimensions the picture shows the curve with its
+    defects as points, w in all triangles, and the triangles inside, from above.
 
-    Draws pictures in a process of its own, without a window; where there is no display it takes xvfb-run's. A page needs none.
-    Raises `Error` with one line that names what is wrong.
+    Pictures are drawn in a separate process, without a window, by xvfb-run if there is no display. A page needs no
+    display. Raises `Error` with one line that names the culprit.
     """
     picture = path_of("picture", picture)
     check_output(picture, DRAWINGS)
@@ -102,10 +101,10 @@ def draw(
 def draw_quality(solid: Union[SolidCheck, AnySolid], picture: Path) -> None:
     """Draw the histogram of a solid's dihedral angles, as a .png file.
 
-    solid    what `check_solid` found, or what it takes: a vtkUnstructuredGrid, a file's name ...
+    solid    a `SolidCheck`, or any type of solid that `check_solid` accepts: a vtkUnstructuredGrid, a file's name ...
     picture  the file's name
 
-    The figures stand in the file's description, too. Raises `Error` with one line that names what is wrong.
+    The figures are in the file's description, too. Raises `Error` with one line that names the culprit.
     """
     picture = path_of("picture", picture)
     check_output(picture, PICTURES)
@@ -140,7 +139,7 @@ def _write_drawing(
         return
     if are_lines(checked.surface):
         refuse_page_of_plane(path)
-    from .page import page_of  # which takes VTK's rendering classes
+    from .page import page_of  # it imports VTK's rendering classes
 
     write_bytes(page_of(checked, hull, solid, title or "A surface", up), path)
 
@@ -154,6 +153,6 @@ def _write_panels(picture: str, **seen: Any) -> None:
 
 
 def up_of(surface: Union[Check, AnySurface]) -> Optional[str]:
-    """The up axis by the kind of file: z for machines' formats; others may use either."""
+    """The up axis by the kind of file: z for formats of machines; None for others, which may use either."""
     is_of_machines = isinstance(surface, (str, os.PathLike)) and input_ending(path_of("the surface", surface)) in _OF_MACHINES
     return "z" if is_of_machines else None

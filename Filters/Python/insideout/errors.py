@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import Any, Collection
 
-MOST_OF_VALUE = 60  # letters that a message repeats of a value
+MOST_OF_VALUE = 60  # length to which messages shorten a value
 
 
 class Error(RuntimeError):
@@ -17,7 +17,7 @@ class Error(RuntimeError):
 
 
 class ArgumentError(Error):
-    """An argument that is invalid, whatever the files contain."""
+    """An argument that is invalid for any content of the files."""
 
 
 class Warning(UserWarning):  # noqa: A001
@@ -25,7 +25,7 @@ class Warning(UserWarning):  # noqa: A001
 
 
 def finite(name: str, value: Any) -> float:
-    """A number given by a function's caller. Raises `ArgumentError` for anything else."""
+    """Return a number given by a function's caller. Raises `ArgumentError` for anything else."""
     try:
         number = float(value)
     except OverflowError:
@@ -38,7 +38,7 @@ def finite(name: str, value: Any) -> float:
 
 
 def at_least(least: float, name: str, value: Any) -> float:
-    """A filter's parameter. VTK would clamp an invalid one silently: here it is an `ArgumentError`."""
+    """Return a filter's parameter. VTK would clamp an invalid one silently: here it is an `ArgumentError`."""
     number = finite(name, value)
     if number < least:
         raise ArgumentError(f"{name} is {number:g}; it must be finite and at least {least:g}")
@@ -46,10 +46,10 @@ def at_least(least: float, name: str, value: Any) -> float:
 
 
 def one_of(choices: Collection[Any], name: str, value: Any) -> Any:
-    """A choice given by a function's caller. Raises `ArgumentError` for anything else."""
+    """Return a choice given by a function's caller. Raises `ArgumentError` for anything else."""
     try:
         known = value in set(choices)
-    except TypeError:  # what has no hash is none of them
+    except TypeError:  # a value without a hash is no choice
         known = False
     if not known:
         raise ArgumentError(f"{name} is {brief(value)}; it can be {', '.join(map(repr, choices))}")
@@ -57,7 +57,7 @@ def one_of(choices: Collection[Any], name: str, value: Any) -> Any:
 
 
 def switch(name: str, value: Any) -> bool:
-    """True or False, by a function's caller."""
+    """Return True or False as given by a function's caller."""
     try:
         return bool({True: True, False: False}[value])
     except (KeyError, TypeError):
@@ -65,7 +65,7 @@ def switch(name: str, value: Any) -> bool:
 
 
 def text_of(name: str, value: Any) -> str:
-    """A name or other text of a function's caller that VTK can hold."""
+    """Return a name or other text of a function's caller that VTK can hold."""
     if not isinstance(value, str) or "\0" in value or any("\ud800" <= letter <= "\udfff" for letter in value):
         raise ArgumentError(f"{name} is {brief(value)}; it must be text")
     return value

@@ -17,9 +17,9 @@ from .vtkFiltersInsideOut import vtkBoundaryLayers, vtkRefineTetrahedra
 PIECES_OF_PAIR = 1.5  # additional facets per intersecting pair
 CELLS_OF_FACET = 2.0
 REFINED_CELLS_OF_FACET = 8.0
-REFINED_CELLS_OF_CUBE = 6.0  # whose edges have the length asked for
+REFINED_CELLS_OF_CUBE = 6.0  # whose edges have the requested length
 TRIANGLES_OF_SQUARE = 2.3  # regular ones, whose edges have this length
-SIDES_OF_CUBE = 6.0  # a wall is taken to be as large as that of a cube of the same volume
+SIDES_OF_CUBE = 6.0  # the wall's area is estimated as that of a cube of the same volume
 
 SECONDS_OF_FACET, SECONDS_OF_PAIR, SECONDS_OF_REFINED_CELL = 20e-6, 300e-6, 25e-6
 MEBIBYTES_ANYWAY, MEBIBYTES_OF_CELL, MEBIBYTES_OF_REFINED_CELL = 100.0, 1e-3, 4e-4
@@ -49,7 +49,8 @@ class Estimate:
 
 
 def estimate(statistics: Mapping[str, float], options: Options) -> Estimate:
-    """For the solid in a surface, by the statistics of its check. Lengths of the options are numbers."""
+    """Estimate the work on the solid in a surface from the statistics of its check. Lengths in the options are
+    numbers."""
     pieces = statistics["Facets"] + PIECES_OF_PAIR * statistics["IntersectingPairs"]
     cells = CELLS_OF_FACET * pieces
     seconds = SECONDS_OF_FACET * statistics["Facets"] + SECONDS_OF_PAIR * statistics["IntersectingPairs"]
@@ -69,7 +70,7 @@ def estimate(statistics: Mapping[str, float], options: Options) -> Estimate:
 
 
 def _cells_in_layers(statistics: Mapping[str, float], options: Options, pieces: float) -> float:
-    """A prism per layer on each triangle of the whole boundary."""
+    """One prism per layer and boundary triangle."""
     triangles = pieces
     if options.edge_length:
         sides = max(statistics["EnclosedVolume"], 0) ** (1 / 3) / float(options.edge_length)
@@ -78,12 +79,12 @@ def _cells_in_layers(statistics: Mapping[str, float], options: Options, pieces: 
 
 
 def layers_of(options: Options) -> int:
-    """The number of layers that the options ask for."""
+    """The number of layers that the options request."""
     return int(OPTIONS["layers"].used_by(options.set_on(vtkBoundaryLayers(), ["layers"]), options.layers))
 
 
 def is_beyond_limit(estimate: Estimate, options: Options) -> bool:
-    """Whether lengths ask for more cells than the work makes: it stops before any is refined."""
+    """Whether the lengths would make more than `maximum_cells` cells: the work stops before refining."""
     name = "maximum_cells"
     limit = OPTIONS[name].used_by(options.set_on(vtkRefineTetrahedra(), [name]), options.maximum_cells)
     return bool(options.edge_length and limit and estimate.cells - estimate.layer_cells > limit)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .data import Tetrahedra, TriangleSurface
 
 PHYSICAL, GEOMETRICAL, ENTITIES = "gmsh:physical", "gmsh:geometrical", "gmsh:dim_tags"
-"""What meshio calls the groups of elements in gmsh's files, and what each point lies on, by dimension and number."""
+"""Meshio's names of the groups of elements in gmsh's files, and of the entity (dimension and number) of each point."""
 
 EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
 """edges of a tetrahedron, in the order of its mid-edge nodes"""
@@ -30,7 +30,7 @@ def mesh_of(data: Any, kind: str, corners: NDArray[np.int64]) -> Any:
 
 
 def pyvista_of(data: Any) -> Any:
-    """The same as PyVista has it, a pyvista.PolyData or pyvista.UnstructuredGrid, which shares the arrays."""
+    """The same as a pyvista.PolyData or pyvista.UnstructuredGrid, which shares the arrays."""
     plain = vtkPolyData() if isinstance(data, vtkPolyData) else vtkUnstructuredGrid()
     plain.ShallowCopy(data)
     return import_package("pyvista").wrap(plain)
@@ -49,7 +49,7 @@ def open3d_of(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> Any:
 
 
 def stl_of(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> Any:
-    """A stl.mesh.Mesh of numpy-stl, whose coordinates are of single precision."""
+    """A stl.mesh.Mesh of numpy-stl, with coordinates in single precision."""
     mesh = import_package("stl").Mesh
     data = np.zeros(len(triangles), mesh.dtype)
     data["vectors"] = points[triangles]
@@ -57,7 +57,7 @@ def stl_of(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> Any:
 
 
 def is_boundary_alone(solid: vtkUnstructuredGrid, boundary: Optional[vtkPolyData]) -> bool:
-    """Whether there is a boundary of cells that do not exist: `surface_only` makes no others."""
+    """Whether the result has a boundary but no cells, because of `surface_only`."""
     return solid.GetNumberOfCells() == 0 and boundary is not None and boundary.GetNumberOfCells() > 0
 
 
@@ -96,7 +96,7 @@ def mesh_of_solid(solid: Tetrahedra, boundary: TriangleSurface) -> Any:
 
 
 def nodes_of_boundary(solid: Tetrahedra, boundary: TriangleSurface) -> NDArray[np.int64]:
-    """The triangles of a boundary by the points of the tetrahedra, with midpoints where these have some."""
+    """The triangles of a boundary by the points of the tetrahedra, with the mid-edge nodes of quadratic ones."""
     triangles = _triangles_there(solid, boundary)
     faces = np.sort(np.vstack([solid.cells[:, np.array(FACES)].reshape(-1, 3), triangles]), axis=1)
     _, ids = np.unique(faces, axis=0, return_inverse=True)
@@ -107,7 +107,7 @@ def nodes_of_boundary(solid: Tetrahedra, boundary: TriangleSurface) -> NDArray[n
 
 
 class _Groups(NamedTuple):
-    """Cells of one type, and the number of the group of each, from 0."""
+    """Cells of one type, and the group number of each, from 0."""
 
     dimension: int
     kind: str
@@ -118,7 +118,7 @@ class _Groups(NamedTuple):
         return np.unique(self.numbers).tolist()
 
     def parts(self) -> list[NDArray[np.int64]]:
-        """The cells of each group: meshio wants a block for each."""
+        """The cells of each group: meshio requires a block for each."""
         return [np.flatnonzero(self.numbers == number) for number in self.present()]
 
 
@@ -127,7 +127,7 @@ def _numbers(values: Any, count: int) -> NDArray[np.int32]:
 
 
 def _entities(points: int, groups: Sequence[_Groups]) -> NDArray[np.int64]:
-    """The dimension and number of the entity that each point lies on: the first of several tags, else the region."""
+    """The dimension and number of the entity that each point lies on: its first tag, else its region."""
     entities = np.tile([3, 1], (points, 1))
     for one in groups:
         first = np.full(points, np.iinfo(np.int64).max)
@@ -150,7 +150,7 @@ def _points_there(points: NDArray[np.float64], others: NDArray[np.float64]) -> N
 
 
 def _triangles_there(solid: Tetrahedra, boundary: TriangleSurface) -> NDArray[np.int64]:
-    """The boundary's triangles by points of the solid. Where several stand in a place those are taken that a face of one cell has."""
+    """The boundary's triangles by points of the solid. Among coincident points those of a boundary face are chosen."""
     triangles = _points_there(solid.points, boundary.points)[boundary.triangles]
     lowest = _points_there(solid.points, solid.points)
     if (lowest == np.arange(len(lowest))).all():
@@ -167,7 +167,7 @@ def _triangles_there(solid: Tetrahedra, boundary: TriangleSurface) -> NDArray[np
 
 
 def _midpoints(nodes: NDArray[np.int64], triangles: NDArray[np.int64]) -> NDArray[np.int64]:
-    """The points in the middle of the triangles' edges, which are edges of quadratic tetrahedra."""
+    """The mid-edge nodes of the triangles, whose edges are edges of quadratic tetrahedra."""
     ends = np.sort(nodes[:, np.array(EDGES)].reshape(-1, 2), axis=1)
     keys = ends[:, 0] * (int(nodes.max()) + 1) + ends[:, 1]
     order = np.argsort(keys, kind="stable")
@@ -183,7 +183,7 @@ def _midpoints(nodes: NDArray[np.int64], triangles: NDArray[np.int64]) -> NDArra
 def _joined(
     ours: Mapping[str, NDArray], theirs: Mapping[str, NDArray], groups: Sequence[_Groups]
 ) -> dict[str, list[NDArray]]:
-    """Arrays of two blocks of cells, for both of which each has values."""
+    """Arrays of two blocks of cells, each array with values for both."""
     joined = {}
     for name in (*ours, *(name for name in theirs if name not in ours)):
         given = [arrays.get(name) for arrays in (ours, theirs)]
@@ -200,7 +200,7 @@ def _nothing_like(values: NDArray, count: int) -> NDArray:
 
 
 def _field_data(groups: Sequence[_Groups], names_of_tags: Sequence[str]) -> dict[str, NDArray]:
-    """The number and dimension of each group by its name, as vtkSolidWriter gives them."""
+    """The number and dimension of each group by name, as vtkSolidWriter writes them."""
     field_data: dict[str, NDArray] = {}
     for one, alone, several, given in zip(groups, ("solid", "surface"), ("region_", "tag_"), ((), names_of_tags)):
         for number in one.present():

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Read and write surfaces, and VTK's grids. The ending of a file's name says what it holds.
+"""Read and write surfaces, and VTK's grids. The ending of a file's name decides its format.
 
-A file is written beside its name and then put there, so that an earlier one stays as it was until all is
-well. XML files are written in VTK's inline binary mode: what VTK writes by default, appended mode, cannot be
-read back where expat has a certain security update.
+A file is written under a temporary name and renamed when it is complete; until then an earlier one stays. XML files are
+written in VTK's inline binary mode: what VTK writes by default, appended mode, cannot be read back where expat has a
+certain security update.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Path = Union[str, os.PathLike]
 READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp", *OBJECTS, CURVE)
 WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj", ".off", *OBJECTS)
 GRID = ".vtu"
-"""VTK's own format of grids, and what a device or pipe is written in whose name says nothing else."""
+"""VTK's own format of grids, and the format of a device or pipe whose name has no ending."""
 
 READABLE_SOLIDS = (GRID, ".msh", ".inp", ".mesh")
 
@@ -42,35 +42,32 @@ GZIP = ".gz"
 STANDARD_INPUT = "standard input"
 
 _NO_FORMAT = "neither content nor ending"
-"""What vtkSurfaceReader says of what it does not know."""
+"""Words of vtkSurfaceReader about an unknown format."""
 
 SHARE_OF_MACHINE = 0.75
-"""The share of its memory that the content of a file may take."""
+"""Limit on the size of a file's content, as a share of the machine's memory."""
 
 PIECE = 1 << 20  # bytes, decompressed at once
 
 LONGEST_CHAIN = 40  # of links, as in Linux
 
 MARKED = (*WRITABLE_SURFACES, *READABLE_SOLIDS, CURVE, ".vti")
-"""The endings of inputs that show who wrote them: by a mark, or tables by the columns that `query` adds."""
+"""The endings of outputs that show which program wrote them: by a mark, or tables by the columns that `query` adds."""
 
 _MARKS = (b"Written by InsideOut", b"Binary STL of InsideOut")
-"""What they leave: a comment, or the title of an STL."""
+"""The marks: a comment, or the title of an STL file."""
 
-_NEAR_AN_END = 1024  # bytes at the begin and at the end of a file that are searched for a mark
+_NEAR_AN_END = 1024  # bytes at the beginning and at the end of a file that are searched for a mark
 
-# Messages that VTK's .vtp reader calls errors, but are none: that a surface is empty, which its users report better,
-# and that a range stored with an array is not finite.
+# Errors of VTK's .vtp reader that are harmless: an empty surface, which its users report better, and a range stored
+# with an array that is not finite.
 HARMLESS_WHEN_READING = ("No Points element available", "Error reading InformationKey element")
 
 
 def read_surface(path: Path, progress: Optional[Progress] = None) -> tuple[vtkPolyData, list[str]]:
-    """The surface in a .ply, .obj, .off, .stl, .vtp, .glb or .3mf file, or one of these with .gz behind it, and what was passed over.
-
-    A .csv file is a curve in a plane (see `read_curve`).
-
-    Coordinates keep all the digits that the file gives. A file whose name says something else than its content
-    is read by its content, with a warning. Raises `Error` that names the file.
+    """Read the surface in a .ply, .obj, .off, .stl, .vtp, .glb or .3mf file, or one of these with .gz appended. Returns
+    warnings of skipped content, too. A .csv file is a curve in a plane (see `read_curve`). Coordinates keep all digits
+    of the file. If name and content disagree, the content decides, with a warning. Raises `Error` that names the file.
     """
     path = os.fspath(path)
     check_input(path)
@@ -78,7 +75,8 @@ def read_surface(path: Path, progress: Optional[Progress] = None) -> tuple[vtkPo
 
 
 def read_standard_input(kind: Optional[str] = None, progress: Optional[Progress] = None) -> tuple[vtkPolyData, list[str]]:
-    """The surface that standard input holds, and what was passed over. Its content tells what it is, or else `kind` ("obj")."""
+    """Read the surface in standard input, and return warnings of skipped content, too. The content decides its format,
+    or else `kind` ("obj")."""
     if sys.stdin is None:
         raise Error(f"{STANDARD_INPUT} is closed")
     name = "stdin" if kind is None else f"stdin.{kind}"
@@ -101,7 +99,8 @@ def read_standard_input(kind: Optional[str] = None, progress: Optional[Progress]
 
 
 def read_solid(path: Path, progress: Optional[Progress] = None) -> tuple[vtkUnstructuredGrid, list[str]]:
-    """The cells in a .vtu, .msh, .inp or .mesh file, and what was passed over. Raises `Error` that names the file."""
+    """Read the cells in a .vtu, .msh, .inp or .mesh file. Returns warnings of skipped content, too. Raises `Error` that
+    names the file."""
     path = os.fspath(path)
     check_input(path, READABLE_SOLIDS)
     if ending(path) == GRID:
@@ -167,7 +166,7 @@ def _read_objects(path: str, kind: str) -> tuple[vtkPolyData, list[str]]:
 
 
 def _false_names(path: str, kind: str) -> Iterator[str]:
-    """A warning if a file's name contradicts its content; vtkSurfaceReader gives the same for its files."""
+    """Return a warning if a file's name contradicts its content; vtkSurfaceReader gives the same for its files."""
     name = os.path.basename(path)
     if _is_compressed(path) and ending(path) != GZIP:
         yield f"{name}: is compressed with gzip, but its name does not end in .gz"
@@ -182,7 +181,7 @@ def _format(kind: str) -> str:
 
 
 def _begin(path: str) -> bytes:
-    """Some bytes of the content. Failed decompression is ignored: the reader reports the reason."""
+    """The first bytes of the content. Failed decompression is ignored: the reader reports the reason."""
     try:
         with gzip.open(path, "rb") if _is_compressed(path) else open(path, "rb") as file:
             return file.read(1000)
@@ -231,7 +230,7 @@ def _most_bytes() -> float:
 
 @contextmanager
 def temporary_folder() -> Iterator[str]:
-    """A folder that is finally removed with all its content."""
+    """A temporary folder, which is removed at the end with its content."""
     try:
         folder = tempfile.mkdtemp()
     except OSError as error:
@@ -252,9 +251,8 @@ def check_holds_lines(path: str) -> None:
 
 
 def write_surface(surface: vtkPolyData, path: Path) -> list[str]:
-    """Write a surface as .vtp, .ply, .obj, .off, .3mf, or .stl or .glb (which have only floats), lines as .vtp. Raises `Error` that names the file.
-
-    Returns what the format could not keep, one line each.
+    """Write a surface as .vtp, .ply, .obj, .off, .3mf, .stl or .glb (the last two have only floats), lines as .vtp.
+    Raises `Error` that names the file. Returns warnings of data that the format cannot keep.
     """
     path = os.fspath(path)
     check_output(path, WRITABLE_SURFACES)
@@ -280,7 +278,7 @@ def _write_objects(surface: vtkPolyData, path: str) -> list[str]:
 
 
 def run_writer(writer: Any, path: str) -> list[str]:
-    """Let a writer write a file. Returns its warnings. Raises `Error` that names the file."""
+    """Write a file by a VTK writer. Returns its warnings. Raises `Error` that names the file."""
     writer.SetFileName(path)
     try:
         return run(writer)
@@ -301,13 +299,13 @@ def ending(path: Path) -> str:
 
 
 def input_ending(path: Path) -> str:
-    """The same of a surface, without that of the compression."""
+    """The ending of a surface's file, without that of the compression."""
     plain, last = os.path.splitext(os.fspath(path))
     return ending(plain) if last.lower() == GZIP else last.lower()
 
 
 def check_input(path: Path, endings: tuple[str, ...] = READABLE_SURFACES) -> None:
-    """Raise `Error` unless this is a file with one of the endings that can be opened; surfaces may be compressed."""
+    """Raise `Error` unless the file has one of the endings and can be opened; surfaces may be compressed."""
     path = os.fspath(path)
     found = input_ending(path) if endings == READABLE_SURFACES else ending(path)
     _check_ending(path, found, endings)
@@ -320,9 +318,8 @@ def check_input(path: Path, endings: tuple[str, ...] = READABLE_SURFACES) -> Non
 
 
 def check_output(path: Path, endings: tuple[str, ...]) -> None:
-    """Raise `Error` unless the name has one of the endings and a file can be written there.
-
-    Devices and pipes need no ending where there is only one, or where it can be that of VTK's grids.
+    """Raise `Error` unless the name has one of the endings and a file can be written there. Devices and pipes need no
+    ending if only one is possible, or if VTK's grids are.
     """
     path = os.fspath(path)
     _check_encoding(path)
@@ -331,7 +328,7 @@ def check_output(path: Path, endings: tuple[str, ...]) -> None:
         _check_ending(path, ending(path), endings)
     if os.path.isdir(path):
         raise Error(f"cannot write {path}: it is a folder")
-    folder = os.path.dirname(os.path.realpath(path))  # what links lead to is replaced, not the links
+    folder = os.path.dirname(os.path.realpath(path))  # the target of a link is replaced, not the link
     if not os.path.isdir(folder):
         raise Error(f"cannot write {path}: there is no folder {folder if os.path.islink(path) else os.path.dirname(path)}")
     if os.path.exists(path) and not os.access(path, os.W_OK) or not is_special and not os.access(folder, os.W_OK):
@@ -339,7 +336,7 @@ def check_output(path: Path, endings: tuple[str, ...]) -> None:
 
 
 def is_of_others(path: Path) -> bool:
-    """Whether a non-empty file exists there that does not show that this program wrote it."""
+    """Whether a non-empty file exists there without a mark of this program."""
     if not os.path.isfile(path) or os.path.getsize(path) == 0:
         return False
     try:
@@ -355,7 +352,8 @@ def is_of_others(path: Path) -> bool:
 
 
 def identity(path: Path) -> Optional[object]:
-    """The same for all names of a file: links, hard links, other spellings; None for devices and pipes, which no file replaces."""
+    """An identity of the file, the same for links, hard links and other spellings; None for devices and pipes, which no
+    file replaces."""
     if _is_special(path):
         return None
     try:
@@ -367,7 +365,7 @@ def identity(path: Path) -> Optional[object]:
 
 
 def _is_special(path: Path) -> bool:
-    """Whether this is a device, a pipe or something open (`/dev/stdout`), which no file can replace."""
+    """Whether this is a device, a pipe or an open stream (`/dev/stdout`), which no file can replace."""
     path = os.fspath(path)
     for _ in range(LONGEST_CHAIN):
         if not os.path.islink(path):
@@ -407,14 +405,14 @@ def check_xml(path: str, kind: str, words: str) -> None:
 
 
 def _hint(path: str) -> str:
-    """Appended data is the likeliest reason for a file of VTK's own not to be read."""
+    """A hint at appended data, the likeliest reason why a file in VTK's own format cannot be read."""
     with open(path, "rb") as file:
         appended = b"<AppendedData" in file.read()
     return " (it is in appended mode; write it in binary mode instead)" if appended else ""
 
 
 def _naming(path: str, error: Error) -> Error:
-    """The error with the file's name in it; the reader gives that without its folder."""
+    """The error with the file's name; the reader gives the name without its folder."""
     message, name = str(error), os.path.basename(path)
     if path in message:
         return error

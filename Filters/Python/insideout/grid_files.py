@@ -44,9 +44,8 @@ def _npz(grid: DistanceGrid) -> bytes:
 
 
 def _nrrd(grid: DistanceGrid) -> bytes:
-    """A header of fields, an empty line, and the numbers, of which x runs fastest.
-
-    VTK's own reader takes less than ten numbers along x for components of vectors, whatever the header says.
+    """A header of fields, an empty line, and the numbers, x running fastest. VTK's own reader ignores the header and
+    takes fewer than ten numbers along x for components of vectors.
     """
     vectors = (f"({','.join(repr(float(x)) for x in row)})" for row in np.diag(grid.spacing))
     header = [

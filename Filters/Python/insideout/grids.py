@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`sdf_grid`: signed distances on a regular grid, as machine learning takes them."""
+"""`sdf_grid`: signed distances on a regular grid, for machine learning."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ from .tetrahedralization import tetrahedralize
 DistanceTo = Literal["solid", "surface"]
 
 PADDING = 0.1
-"""Around the surface, of its longest side."""
+"""Padding around the surface, as a share of its longest side."""
 
 ROUNDING = 1e-12
-"""A box that is this little longer than a whole number of steps needs no further point."""
+"""Relative excess of the box over a whole number of steps that needs no further point."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -36,13 +36,13 @@ class DistanceGrid(Result):
     """The result of `sdf_grid`: values at the points origin + spacing * (i, j, k)."""
 
     distance: NDArray[np.float64]
-    """How far each point is, negative inside, in the surface's units; with an index for x, y and z each."""
+    """The signed distance of each point, negative inside, in the surface's units, by the indices of x, y and z."""
     inside: NDArray[np.bool_]
-    """Which points are inside, likewise."""
+    """Which points are inside, by the same indices."""
     origin: Vector
-    """The point of distance[0, 0, 0]."""
+    """The position of distance[0, 0, 0]."""
     spacing: Vector
-    """From one point to the next, by axis."""
+    """The distance between neighboring points, by axis."""
     to: DistanceTo
     """The surface from which the distance is measured."""
     warnings: list[str]
@@ -80,21 +80,22 @@ def sdf_grid(
 ) -> DistanceGrid:
     """Signed distances, negative inside, and which points are inside, on a regular grid around a surface.
 
-    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
-    shape     how many points there are along each axis: one number, or three. The spacing is the same along all, and
-              as small as the padded box of the surface allows, in whose middle the grid lies
-    spacing   instead of it, from one point to the next, above 0, in the surface's units: one number, or three
-    padding   around the surface's box, in the surface's units; a tenth of its longest side by default
-    to        "solid": the distance to the boundary of the solid that `tetrahedralize` makes of the surface. Walls within
-              it, as overlapping parts have, are no part of that, and holes are closed. At neighboring
-              points it differs by at most their distance. "surface": the distance to the nearest triangle of the surface
-              as it is, such a wall, too; the sign is the winding number's, and may change in an open hole
-    progress  called with the stage and the fraction that is done; what it raises stops the work
+    surface   any type of surface that `insideout` accepts: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    shape     the number of points along each axis: one number, or three. The grid is centered in the padded box of the
+              surface, with the smallest spacing, the same along all axes, that covers it
+    spacing   the distance between neighboring points, instead of shape: above 0, in the surface's units, one number or
+              three
+    padding   width around the surface's box, in the surface's units; by default a tenth of its longest side
+    to        "solid": the distance to the boundary of the solid that `tetrahedralize` makes of the surface. It has no
+              inner walls, as overlapping parts have, and its holes are closed. Values of two points differ by at most
+              their distance. "surface": the distance to the nearest triangle of the given surface, inner walls
+              included; the sign is that of 1/2 - w, and may change in an open hole
+    progress  called with the stage and the fraction that is done; an exception that it raises stops the work
 
     {options}
 
-    Returns a `DistanceGrid`, which `write` puts into .npz, .nrrd and .vti files. Raises `Error` with one line that
-    names what is wrong. For further options of the solid give the boundary that `tetrahedralize` made with them.
+    Returns a `DistanceGrid`, which `write` writes as .npz, .nrrd or .vti. Raises `Error` with one line that names the
+    culprit. For further options of the solid, give the boundary that `tetrahedralize` made with them.
     """
     one_of(get_args(DistanceTo), "to", to)
     if (shape is None) == (spacing is None):
@@ -121,7 +122,7 @@ def sdf_grid(
 
 
 def _boundary_of(polygons: vtkPolyData, options: Options, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:
-    """The surface that encloses the solid, and warnings."""
+    """The boundary of the solid, and warnings."""
     made = tetrahedralize(
         polygons,
         orientation=options.orientation,

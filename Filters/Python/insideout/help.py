@@ -10,7 +10,7 @@ import textwrap
 from .options import flag_of
 from .usage import COMMANDS, OTHER_FLAGS, argument_of
 
-INDENT = 27  # columns before what an option means
+INDENT = 27  # columns before an option's description
 FEWEST_COLUMNS, MOST_COLUMNS = 2 * INDENT, 100  # narrower terminals break lines themselves
 
 SHORT_FORM = """\
@@ -60,7 +60,7 @@ def screen() -> str:
 
 
 def all_screens() -> str:
-    """That, and all about each command."""
+    """The list of commands, and the full help of each."""
     return "\n".join([screen(), *(screen_of(name, everything=True) for name in COMMANDS)])
 
 
@@ -86,7 +86,7 @@ def screen_of(name: str, everything: bool = False) -> str:
 
 
 def _spelled(name: str) -> str:
-    """An option with what it takes."""
+    """An option with its values."""
     argument = argument_of(name)
     choices = "{" + ",".join(map(str, argument.get("choices", ()))) + "}"
     metavar = argument.get("metavar") or ("" if argument.get("action") else choices)
@@ -96,13 +96,13 @@ def _spelled(name: str) -> str:
 
 
 def _flags(name: str) -> list[str]:
-    """An option, and what takes it back where that is one, too."""
+    """An option, and its negation if there is one."""
     is_decision = argument_of(name).get("action") is argparse.BooleanOptionalAction
     return [flag_of(name), *(["--no-" + name] if is_decision else [])]
 
 
 def _gist(words: str) -> str:
-    """The first of several clauses, and a default that is no switch's."""
+    """The first clause of a description, and the default unless the option is a switch."""
     default = re.search(r"\bDefault (?!off|on|empty)[^\s:;,]+?(?=[.:;,]?(?:\s|$))", words)
     gist = re.split(r"[;:,]|\.(?= |$)", words)[0]
     return (gist if gist[1:2].isupper() or gist.startswith("MiB") else gist[:1].lower() + gist[1:]) + (f"; {default[0].lower()}" if default else "")

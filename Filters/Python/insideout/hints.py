@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Advice of the command line on options that make a result better for a printer, one line each."""
+"""Advice of the command line on options that improve a result for a printer, one line each."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ STL = ".stl"
 
 
 def hints_for_printing(surface: TriangleSurface, path: str, settings: Options) -> list[str]:
-    """Whether a slicer takes a surface that was written to a file. Points of a .stl file are told apart by floats alone."""
+    """Whether a slicer accepts a surface that was written to a file. Points of a .stl file are distinguished by floats
+    alone."""
     triangles = surface.triangles
     if ending(path) == STL and os.path.isfile(path):
         written = as_type(TriangleSurface, read_surface(path)[0])

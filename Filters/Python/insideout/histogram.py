@@ -59,6 +59,6 @@ def histogram_panel(figures: vtkUnstructuredGrid) -> Panel:
 
 
 def texts_of(figures: vtkUnstructuredGrid) -> list[str]:
-    """The quality of a solid in the words of the command's summary."""
+    """The quality of a solid, worded as in the command's summary."""
     statistics = statistics_of(figures)
     return [solid_verdict(statistics), *(f"{what}: {how_much}" for what, how_much in quality_rows(statistics))]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Images around surfaces: how many points they have, and where; and arrays with an index for each axis."""
+"""Images around surfaces: their number of points and positions; and arrays with an index for each axis."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Vector = NDArray[np.float64]
 
 
 def three_of(name: str, values: Any) -> list[Any]:
-    """A value for each axis of one value, or of three."""
+    """One value for each axis, from one or three values."""
     try:
         given = np.ravel(np.asarray(values, object)).tolist()
     except Exception:  # noqa: BLE001 - whatever an object's __array__ raises
@@ -29,7 +29,7 @@ def three_of(name: str, values: Any) -> list[Any]:
 
 
 def spacing_of(spacing: Any) -> Vector:
-    """From one point to the next, by axis. Raises `Error` unless it is above 0."""
+    """The spacing by axis. Raises `Error` unless it is above 0."""
     steps = np.array([at_least(0, "spacing", step) for step in three_of("spacing", spacing)])
     if not steps.min() > 0:
         raise Error(f"spacing is {brief(spacing)}; it must be above 0")
@@ -71,5 +71,5 @@ def image_of(sizes: NDArray[np.int64], origin: Vector, spacing: Vector) -> vtkIm
 
 
 def in_space(values: NDArray[Any], sizes: NDArray[np.int64]) -> NDArray[Any]:
-    """A value per point, x running fastest, as an array with an index for x, y and z each."""
+    """Values per point, x running fastest, as an array with the indices of x, y and z."""
     return values.reshape(sizes[::-1].tolist()).transpose()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""VTK's points and cells out of arrays and of what VTK algorithms make."""
+"""VTK's points and cells from arrays and from outputs of VTK algorithms."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .errors import Error, brief
 from .pipeline import run_with_upstream
 from .serializing import vtk_array
 
-# Definitions for type checkers of classes that they lack: VTK has no type hints, and the others need not be installed.
+# For type checkers, classes without definitions: VTK has no type hints, and the other packages need not be installed.
 
 
 class Algorithm(Protocol):
@@ -61,7 +61,8 @@ class MeshioMesh(Protocol):
 
 
 AnyPoints = Union[DataSetOfPoints, ArrayLike]
-"""What every function takes for points: an array whose last axis has x, y and z, or the points of a VTK data set."""
+"""The types of points that every function accepts: an array whose last axis has x, y and z, or the points of a VTK data
+set."""
 
 Made = TypeVar("Made")
 
@@ -69,7 +70,7 @@ ARRAYS: Tuple[str, str] = ("points", "triangles")
 
 
 def output_of(source: Union[vtkAlgorithm, vtkAlgorithmOutput], what: str, kind: type[DataSet]) -> tuple[DataSet, list[str]]:
-    """The surface, or a future surface, that an algorithm makes, which is updated, and its warnings."""
+    """Update an algorithm. Returns its output, a surface or an input for one, and its warnings."""
     algorithm, port = (source, 0) if isinstance(source, vtkAlgorithm) else (source.GetProducer(), source.GetIndex())
     name = algorithm.GetClassName()
     if algorithm.GetNumberOfOutputPorts() == 0:
@@ -83,10 +84,10 @@ def output_of(source: Union[vtkAlgorithm, vtkAlgorithmOutput], what: str, kind: 
 
 
 def has(thing: Any, *names: str) -> bool:
-    """Whether an object has attributes, whatever the others of its class do."""
+    """Whether an object has attributes; exceptions of its properties are ignored."""
     try:
         return all(hasattr(thing, name) for name in names)
-    except Exception:  # noqa: BLE001 - whatever its properties raise
+    except Exception:  # noqa: BLE001 - properties may raise anything
         return False
 
 
@@ -96,15 +97,15 @@ def of_foreign(make: Callable[[Any], Made], mesh: Any, kind: str) -> Made:
         return make(mesh)
     except (Error, MemoryError):
         raise
-    except Exception as error:  # noqa: BLE001 - whatever an object's attributes raise, or are
+    except Exception as error:  # noqa: BLE001 - attributes may raise or be anything
         raise Error(f"the {type(mesh).__name__} is no {kind}, which it looks like: {brief(str(error))}") from None
 
 
 def path_of(name: str, path: Any) -> str:
-    """A file's name as text. Raises `Error` for what is none."""
+    """A file's name as text. Raises `Error` for anything else."""
     try:
         text = os.fspath(path)
-    except Exception:  # noqa: BLE001 - whatever an object's __fspath__ raises
+    except Exception:  # noqa: BLE001 - __fspath__ may raise anything
         text = None
     if not isinstance(text, str):
         raise Error(f"{name} is {brief(path)}; it must be a file's name")
@@ -123,12 +124,12 @@ def refuse_composite(what: str, data: Any) -> None:
 
 
 def as_points(points: AnyPoints) -> vtkDataSet:
-    """A VTK data set with these points. Raises `Error` for what is no array of them."""
+    """A VTK data set with these points. Raises `Error` for anything but an array of points."""
     return points_and_shape(points)[0]
 
 
 def points_and_shape(points: AnyPoints) -> tuple[vtkDataSet, tuple[int, ...]]:
-    """The same, and the shape of an array with a value for each."""
+    """A VTK data set with these points, and the shape of an array with a value for each."""
     if isinstance(points, vtkDataSet):
         return points, (points.GetNumberOfPoints(),)
     if isinstance(points, vtkDataObject):
@@ -163,7 +164,8 @@ def _points_of(rows: NDArray[np.float64]) -> vtkPoints:
 
 
 def numbers(name: str, values: Any, kind: type = float) -> NDArray:
-    """One array of a type, whatever holds the numbers. Raises `Error` for what holds none, and for whole numbers that are none."""
+    """One array of a type, from any holder of numbers. Raises `Error` for anything else, and for invalid whole
+    numbers."""
     if np.ma.is_masked(values):
         row = np.argwhere(np.ma.getmaskarray(values))[0][0]
         raise Error(f"{name} is masked in row {row}: a surface has no gaps, fill them or leave the rows out")
@@ -179,13 +181,13 @@ def numbers(name: str, values: Any, kind: type = float) -> NDArray:
             raise Error(f"{name} holds what is no whole number below 2^63")
     except (Error, MemoryError):
         raise
-    except Exception:  # noqa: BLE001 - whatever an object's __array__ raises
+    except Exception:  # noqa: BLE001 - __array__ may raise anything
         raise Error(f"{name} is no table of numbers") from None
     return array
 
 
 def table_of(name: str, values: ArrayLike, kind: type) -> NDArray:
-    """A table as one array of a type, whatever holds it."""
+    """A table as one array of a type, from any holder of numbers."""
     rows = numbers(name, values, kind)
     if rows.size == 0:
         return rows.reshape(0, 3)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The end of the command after Ctrl-C or SIGTERM: within a second, with one line that names the file, and without
-remains.
+"""End the command within a second of Ctrl-C or SIGTERM, with one line that names the file, and without leftover files.
 """
 
 from __future__ import annotations
@@ -14,10 +13,10 @@ from types import FrameType
 from typing import Callable, Iterator, Optional
 
 PATIENCE = 0.8
-"""Seconds after the signal in which the work may come to its own end and tell so; then it is ended."""
+"""Seconds after the signal in which the work may end by itself with its message; then it is ended."""
 
 PATIENCE_TO_CLEAN_UP = 0.1
-"""Seconds more to remove what would be left behind, which may be where nothing answers any more."""
+"""Further seconds to remove leftover files, which may be on a file system that no longer responds."""
 
 WORDS = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
 
@@ -35,28 +34,28 @@ class _Command:
 
 
 def work_on(file: str) -> None:
-    """Set the file whose work a signal ends."""
+    """Set the file that is named when a signal ends the work."""
     _Command.file = file
 
 
 def message(interrupt: KeyboardInterrupt) -> str:
-    """What to tell of an interruption; `told` says that it was."""
+    """The message of an interruption; `told` says that it was printed."""
     return _message(_signal_of(interrupt))
 
 
 def told() -> None:
-    """The user knows the reason for the end."""
+    """The user was told why the program ends."""
     _Command.told = True
 
 
 def exit_status(interrupt: KeyboardInterrupt) -> int:
-    """The exit status that a shell gives to a program ended by this signal."""
+    """The exit status that a shell reports for a program ended by this signal."""
     return 128 + _signal_of(interrupt)
 
 
 @contextmanager
 def cleaning_up(clean_up: Callable[[], object]) -> Iterator[None]:
-    """Do this at the end, also if the process ends at once."""
+    """Call this function at the end, also if the process ends at once."""
     before_end_at_once(clean_up)
     try:
         yield
@@ -67,12 +66,11 @@ def cleaning_up(clean_up: Callable[[], object]) -> Iterator[None]:
 
 @contextmanager
 def deferring_signals() -> Iterator[None]:
-    """The exception of a signal is raised at the end, so that nothing begun here is forgotten.
-
-    Another program may be started here: it does not inherit this.
+    """Delay the exception of a signal to the end of the block, so that nothing begun in it is lost. Programs that are
+    started in it do not inherit this.
     """
     if threading.current_thread() is not threading.main_thread():
-        yield  # only the main thread is interrupted, and only it may ask not to be
+        yield  # only the main thread is interrupted, and only it can delay that
         return
     heard: list[int] = []
     handlers = {number: handler for number in WORDS if callable(handler := signal.getsignal(number))}
@@ -88,12 +86,12 @@ def deferring_signals() -> Iterator[None]:
 
 
 def before_end_at_once(clean_up: Callable[[], object]) -> None:
-    """Do this if the process does not end by itself in time."""
+    """Call this function if the process does not end by itself in time."""
     _Command.clean_ups.append(clean_up)
 
 
 def end_soon_after_signals() -> None:
-    """See to it that the process ends within a second of Ctrl-C or SIGTERM, whatever it is doing."""
+    """Make the process end within a second of Ctrl-C or SIGTERM in any state."""
     signal.signal(signal.SIGTERM, _terminate)
     heard, signalled = os.pipe()
     os.set_blocking(signalled, False)
@@ -118,7 +116,7 @@ def _end_at_once(number: int) -> None:
         try:
             os.write(2, f"insideout: {_message(number)}\n".encode(errors="backslashreplace"))
         except OSError:
-            pass  # the exit status says it
+            pass  # the exit status reports it
     cleaner = threading.Thread(target=_clean_up, daemon=True)
     cleaner.start()
     cleaner.join(PATIENCE_TO_CLEAN_UP)
@@ -130,7 +128,7 @@ def _clean_up() -> None:
         try:
             clean_up()
         except OSError:
-            pass  # the others have to be done
+            pass  # the other functions must still be called
 
 
 def _signal_of(interrupt: KeyboardInterrupt) -> int:

@@ -29,16 +29,16 @@ DRAWN = {
     "OpenEnds": OPEN,
     "TJunctions": NON_MANIFOLD,
 }
-"""In which color what is wrong is drawn."""
+"""The colors of defects."""
 
 LEFT = 0.06
-"""Where the lines of a legend begin, as a share of the panel."""
+"""The left end of a legend's lines, as a share of the panel."""
 
 COLUMNS = 56
-"""As many letters of the usual size has a line of a panel at most."""
+"""The largest number of letters of the usual size in a line of a panel."""
 
 MOST_ROWS = 3
-"""Beneath a drawing."""
+"""Layout of the lines beneath a drawing."""
 
 TOP, BOTTOM, LINE, SIZE = 0.88, 0.03, 0.04, 24
 """Layout of a whole legend: position and line height, as fractions of the panel, and font size; smaller for long
@@ -56,7 +56,7 @@ class Row(NamedTuple):
 
 
 def counts(statistics: Mapping[str, float]) -> list[Row]:
-    """The defects in the words of the command's summary, with colors: first those that are drawn, then all others."""
+    """The defects, worded as in the command's summary, with colors: first those that are drawn, then all others."""
     kinds = PLANAR_DEFECTS if statistics.get("Dimension", 3) == 2 else DEFECTS
     found = [defect for defect in kinds if statistics.get(defect.statistic, 0) > 0]
     found.sort(key=lambda defect: defect.statistic not in DRAWN)
@@ -70,7 +70,7 @@ def title(text: str) -> vtkTextActor:
 
 
 def words(text: str, height: float, size: int = 24, bold: bool = False, left: Optional[float] = None) -> vtkTextActor:
-    """A line at this height of a panel (0 to 1), in the middle, or from a place on."""
+    """A line at this height of a panel (0 to 1), centered, or starting at a position."""
     line = vtkTextActor()
     line.SetInput(text)
     look = line.GetTextProperty()
@@ -86,7 +86,7 @@ def words(text: str, height: float, size: int = 24, bold: bool = False, left: Op
 
 
 def swatch(colour: Colour, left: float, height: float, size: float = 0.022) -> vtkActor2D:
-    """A square of a color."""
+    """A colored square."""
     width = size * HEIGHT / PANEL_WIDTH
     points = vtkPoints()
     for x, y in ((0, -1), (1, -1), (1, 1), (0, 1)):
@@ -135,7 +135,7 @@ def whole_legend(statistics: Mapping[str, float], places: Sequence[Place] = ()) 
 
 
 class _Line(NamedTuple):
-    """What stands in one line of a legend."""
+    """The content of one line of a legend."""
 
     text: str
     colour: Optional[Colour] = None
@@ -154,7 +154,7 @@ _GAP = _Line("")
 
 
 def label(letter: str, point: NDArray[np.float64]) -> vtkBillboardTextActor3D:
-    """A letter at a place in space."""
+    """A letter at a position in space."""
     drawn = vtkBillboardTextActor3D()
     drawn.SetInput(letter)
     drawn.SetPosition(*point)

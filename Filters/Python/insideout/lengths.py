@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lengths in percent of the diagonal of what is worked on, and units of files."""
+"""Lengths in percent of the input's diagonal, and units of files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData, vtkUnstructu
 from .errors import ArgumentError, brief
 
 Length = Union[float, str]
-"""A number in the unit of the input, or "2%" of the diagonal of the box around all of it."""
+"""A number in the unit of the input, or a share like "2%" of the diagonal of its bounding box."""
 
 UNITS = {
     "um": Fraction(1, 10**6),
@@ -26,11 +26,11 @@ UNITS = {
     "in": Fraction(254, 10000),
     "ft": Fraction(3048, 10000),
 }
-"""The units that the command knows, in meters."""
+"""The command's units, in meters."""
 
 
 def scale_between(unit: str, other: str) -> float:
-    """The factor that makes lengths in one unit lengths in another: 0.001 from mm to m."""
+    """The conversion factor between two units: 0.001 from mm to m."""
     return float(UNITS[unit] / UNITS[other])
 
 
@@ -57,7 +57,7 @@ def diagonal_of(all_data: Iterable[vtkPointSet]) -> float:
 
 
 def _points_in_use(data: vtkPointSet) -> NDArray[np.float64]:
-    """Points of cells that are finite. A filter tells what is wrong with the others."""
+    """The finite points of cells. Filters report the others."""
     if data.GetNumberOfPoints() == 0:
         return np.empty((0, 3))
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float, copy=False)

@@ -20,10 +20,9 @@ MARKED_FILES = (".vtp",)
 
 
 def with_lines(checked: Check) -> vtkPolyData:
-    """The checked surface with its lines among its cells.
-
-    Each cell has the arrays of both. Those that only the others have are empty, -1 for ids and types, NaN for
-    real numbers, and otherwise 0. The array DefectColor has the color of each.
+    """The checked surface with its lines among its cells. Each cell has the arrays of surface and lines. In an array of
+    the other the value is empty, -1 for ids and types, NaN for real numbers, and otherwise 0. The array DefectColor has
+    the color of each cell.
     """
     facets, lines = (_copy_of(data) for data in (checked.surface, checked.lines))
     for one, other in ((facets, lines), (lines, facets)):
@@ -43,7 +42,7 @@ def with_lines(checked: Check) -> vtkPolyData:
 
 
 def write_marked(checked: Check, path: Path) -> None:
-    """Write that as .vtp. Raises `Error` that names the file."""
+    """Write the marked surface as .vtp. Raises `Error` that names the file."""
     check_output(path, MARKED_FILES)
     write_data(with_lines(checked), str(path))
 
@@ -55,7 +54,7 @@ def _copy_of(data: vtkPolyData) -> vtkPolyData:
 
 
 def _fill(data: vtkDataSetAttributes, other: vtkDataSetAttributes, count: int) -> None:
-    """Add arrays for those that only the other has."""
+    """Add the arrays that only the other data set has."""
     for k in range(other.GetNumberOfArrays()):
         array = other.GetAbstractArray(k)
         if data.GetAbstractArray(array.GetName()) is None:

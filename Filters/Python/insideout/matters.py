@@ -12,10 +12,10 @@ from .options import LAYER_OPTIONS, OPTIONS, REFINING_OPTIONS, flag_of
 from .usage import BOOLEAN_OPTIONS, CHECK_OPTIONS, DECK_OPTIONS, MESH_OPTIONS, WINDING_OPTIONS
 
 WHY_NOT = {"check": "meshes nothing", "query": "meshes nothing", "boolean": "makes one thing of several bodies"}
-"""Why commands have no use for options of `mesh`."""
+"""The reasons why commands take no options of `mesh`."""
 
 _OF_COMMANDS = {"check": CHECK_OPTIONS, "query": WINDING_OPTIONS, "boolean": BOOLEAN_OPTIONS}
-"""The options of `mesh` that these have a use for."""
+"""The options of `mesh` that these commands take."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Asked:
         return any(getattr(self.options, name, None) is not None for name in names)
 
     def flag(self, name: str) -> str:
-        """An option that is given, as it is given."""
+        """The spelling of an option that is given."""
         return "--no-" + name if getattr(self.options, name) is False else flag_of(name)
 
     def solid(self) -> Optional[str]:
@@ -55,7 +55,7 @@ class Asked:
         return "remeshed" if self.has("edge_length", "sizes") and not is_kept else "kept"
 
     def keeps_boundary(self) -> bool:
-        """Whether only a boundary is written that is unchanged by the refinement."""
+        """Whether the only output is a boundary that refinement does not change."""
         return self.treatment() == "kept" and self.writes_surface() and not self.has("plot", "report", "json")
 
     def has_bodies(self) -> bool:
@@ -115,7 +115,7 @@ def refusal(options: argparse.Namespace, surfaces: Sequence[str]) -> Optional[st
 
 
 def _of_command(asked: Asked) -> Optional[str]:
-    """Options of `mesh`, which the short form takes whatever it stands for."""
+    """Options of `mesh`, which the short form accepts for all commands."""
     options = asked.options
     if options.command not in _OF_COMMANDS:
         return None
@@ -126,7 +126,7 @@ def _of_command(asked: Asked) -> Optional[str]:
 
 
 def _of_solid(asked: Asked) -> Optional[str]:
-    """Options of surfaces, where a solid is looked at."""
+    """Options of surfaces, if the input is a solid."""
     solid = asked.solid()
     names = ("from", "to", "together", "defects", "marked", *OPTIONS)
     found = solid and next((name for name in names if name != "surface_only" and asked.has(name)), None)
@@ -134,7 +134,7 @@ def _of_solid(asked: Asked) -> Optional[str]:
 
 
 def _of_defects(asked: Asked) -> Optional[str]:
-    """Options of meshing, where a picture shows what is wrong alone."""
+    """Options of meshing, if a picture shows the defects alone."""
     if not asked.has("defects"):
         return None
     usable = (*CHECK_OPTIONS, "plot", "surface_only")

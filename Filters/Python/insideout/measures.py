@@ -33,14 +33,14 @@ def area(points: Points, triangles: Ids) -> float:
 
 
 def joined_where_equal(points: Points, cells: Ids) -> Ids:
-    """The cells with one id for all points that have the same coordinates."""
+    """The cells, with one id for all coincident points."""
     first = np.unique(points + 0.0, axis=0, return_inverse=True)[1].ravel()  # -0 is 0
     joined: Ids = first[cells]
     return joined
 
 
 def is_closed(triangles: Ids) -> bool:
-    """Whether there are edges, and each has equally many triangles in both directions."""
+    """Whether there are edges, and each has as many triangles in one direction as in the other."""
     edge, forward = _edges(triangles)
     balance = np.bincount(edge, np.where(forward, 1, -1))
     return len(balance) > 0 and not balance.any()
@@ -52,12 +52,13 @@ def count_crowded_edges(triangles: Ids) -> int:
 
 
 def _edges(triangles: Ids) -> tuple[Ids, NDArray[np.bool_]]:
-    """The number of each edge of each triangle, and whether it runs from the lower point; without edges that begin where they end."""
+    """The number of each edge of each triangle, and whether it starts at the lower point; without edges of one
+    point."""
     start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
     differ = start != end
     start, end = start[differ], end[differ]
     low, high = np.minimum(start, end), np.maximum(start, end)
-    _, edge = np.unique(low * (triangles.max(initial=0) + 1) + high, return_inverse=True)  # numbers are sorted faster than rows
+    _, edge = np.unique(low * (triangles.max(initial=0) + 1) + high, return_inverse=True)  # faster than sorting rows
     return edge.ravel(), start < end
 
 
@@ -74,7 +75,7 @@ def labels_of_parts(cells: Ids) -> Ids:
 
 
 def _joined(count: int, one: Ids, other: Ids) -> Ids:
-    """For each number below `count` the least number connected with it through pairs."""
+    """For each number below `count` the smallest number connected with it through pairs."""
     labels = np.arange(count)
     while True:
         least = np.minimum(labels[one], labels[other])

@@ -27,17 +27,17 @@ TagRules = Union[str, Sequence[str], Mapping[str, Union[str, TagFunction]]]
 
 @dataclass(frozen=True)
 class Option:
-    """What stands behind a field of `Options`. As it is, the field is the name of an array."""
+    """The kind of a field of `Options`. This base class is the kind of an array's name."""
 
     vtk_property: str
-    words: str  # what it means, with the names of properties and constants
-    more_words: str = ""  # what else it can be in Python
+    words: str  # description, with the names of properties and constants
+    more_words: str = ""  # further values in Python
     least: float = 0
     most: Optional[float] = None
-    choices: tuple[str, ...] = ()  # by the values of VTK's constants, from 0
+    choices: tuple[str, ...] = ()  # in the order of VTK's constants, from 0
 
     def checked(self, name: str, value: Any) -> Any:
-        """The value of a filter's property. Raises `Error` for values that VTK would clamp silently."""
+        """Return the value of a filter's property. Raises `Error` for values that VTK would clamp silently."""
         return text_of(name, value)
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
@@ -71,7 +71,7 @@ class Number(Option):
 
 
 class Lengths(Number):
-    """A number, or a share of the diagonal, which `Options.measured_on` makes a number."""
+    """A number, or a share of the diagonal, which `Options.measured_on` converts."""
 
     def used_by(self, algorithm: Any, value: Any) -> Any:
         return value if isinstance(value, str) else self.used_number(algorithm)
@@ -89,7 +89,7 @@ class Choice(Option):
 
 
 class Dimensions(Choice):
-    """A number, too; it chooses the filter."""
+    """The number of dimensions, which selects the filter."""
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
         one_of(self.choices, name, str(value) if isinstance(value, int) else value)
@@ -104,7 +104,7 @@ class Switch(Option):
 
 
 class Decision(Option):
-    """A switch whose default depends on other options: None."""
+    """A switch with the default None, which depends on other options."""
 
     def checked(self, name: str, value: Any) -> bool:
         return switch(name, value)
@@ -148,7 +148,7 @@ class Count(Option):
 
 
 class ChosenFacets(Option):
-    """The array that chooses the facets to keep: these are kept then."""
+    """The array that selects the facets to keep; it switches keeping on."""
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
         super().set_on(algorithm, name, value)
@@ -156,7 +156,7 @@ class ChosenFacets(Option):
 
 
 class Scale(Option):
-    """The factor of a surface's coordinates, applied before any filter has it: there is no property."""
+    """The factor of a surface's coordinates, applied before all filters; it is no property of a filter."""
 
     def checked(self, name: str, value: Any) -> float:
         if not at_least(0, name, value) > 0:
@@ -174,7 +174,7 @@ class Scale(Option):
 
 
 class Names(Option):
-    """A list of names, or one text with names separated by commas."""
+    """A list of names, or one text with comma-separated names."""
 
     def checked(self, name: str, value: Any) -> str:
         if isinstance(value, str):
@@ -188,7 +188,7 @@ class Names(Option):
 
 
 class Rules(Option):
-    """Rules by their names, or each as NAME=CONDITION. Functions have become arrays (see tagging.py)."""
+    """Rules by name, or each as NAME=CONDITION. Functions were converted to arrays before (see tagging.py)."""
 
     def checked(self, name: str, value: Any) -> str:
         if isinstance(value, str):
@@ -203,7 +203,7 @@ class Rules(Option):
 
 
 class _JoinRules(argparse.Action):
-    """Put each rule behind those before it."""
+    """Append each rule to those before it."""
 
     def __call__(self, _: object, namespace: argparse.Namespace, value: Any, __: object = None) -> None:
         rules = getattr(namespace, self.dest, None)
@@ -232,13 +232,13 @@ def kind_of(one: Declared) -> type[Option]:
 
 
 def owner_of(algorithm: Any, vtk_property: str) -> Any:
-    """The filter that declares a property: the given one or one of its stages. None if neither does."""
+    """The filter that declares a property: the given one, one of its stages, or None."""
     stages = (getattr(algorithm, name)() for name in ("GetWindingNumber", "GetSegmentation", "GetRefinement") if hasattr(algorithm, name))
     return next((owner for owner in (*stages, algorithm) if hasattr(owner, "Set" + vtk_property)), None)
 
 
 def _length(text: str) -> Union[float, str]:
-    """What argparse makes of a length: a number, or the text of a share."""
+    """Convert a length for argparse: to a number, or the text of a share."""
     return text if text.endswith("%") else float(text)
 
 

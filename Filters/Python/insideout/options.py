@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The options of a solid: each option once, for the functions and the command line.
-
-An option is a field of one of these classes, by the topic that it stands under in the command's help. The header of its
-VTK class declares its meaning, range, default and choices (declared.py, written by the build). The few options that are
-not properties are described here. The build also adds the fields to the parameters of the functions that have them.
+"""The options of a solid: each option once, for the functions and the command line. Each class has the options of one
+topic of the command's help as fields. The header of its VTK class declares its meaning, range, default and choices
+(declared.py, written by the build). The few options that are not properties are described here. The build also adds the
+fields to the parameters of the functions that have them.
 """
 
 from __future__ import annotations
@@ -114,10 +113,9 @@ class WorkOptions:
 
 @dataclass(frozen=True)
 class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOptions, RefinementOptions, LayersOptions, WorkOptions):
-    """The options of `tetrahedralize`, some of which other functions have too.
-
-    They are properties of vtkRobustTetrahedralize and of the stages that it hands out; of vtkBoundaryLayers, which its solid goes
-    through then; in a plane of vtkRobustTriangulate.
+    """The options of `tetrahedralize`, some of which other functions have too. They are properties of
+    vtkRobustTetrahedralize and its stages, of vtkBoundaryLayers (for boundary layers), and in a plane of
+    vtkRobustTriangulate.
     """
 
     def factor(self) -> float:
@@ -126,22 +124,22 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
 
     @classmethod
     def among(cls, values: Mapping[str, Any]) -> Options:
-        """Those of some named values that are options."""
+        """The named values that are options."""
         return cls(**{name: value for name, value in values.items() if name in OPTIONS})
 
     def refines(self) -> bool:
-        """Whether the solid is to be refined: by an option that has no other meaning, too."""
+        """Whether the solid is refined, explicitly or by an option of refinement."""
         given = next((name for name in (*REFINING_OPTIONS, *LAYER_OPTIONS) if self._is_given(name)), None)
         if given and self.refine is False:
             raise ArgumentError(f"{given} is given, which refines, and refine is False")
         return bool(self.refine or given)
 
     def for_solver(self) -> Options:
-        """The same for a solver's file: refined, unless something else is asked for."""
+        """The same options for a solver's file: with refinement, unless other options exclude it."""
         return replace(self, refine=True) if self.refine is None and not self.surface_only else self
 
     def makes_layers(self) -> bool:
-        """Whether the solid gets boundary layers. Raises `ArgumentError` where they cannot be."""
+        """Whether the solid gets boundary layers. Raises `ArgumentError` if other options exclude them."""
         given = next((name for name in LAYER_OPTIONS if self._is_given(name)), None)
         if given and self.first_height is None:
             raise ArgumentError(f"{given} is given, and first_height is not: layers need the height of the first one")
@@ -152,11 +150,11 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
         return given is not None
 
     def parts(self) -> bool:
-        """Whether the solid has more points or cells than the hull has of it."""
+        """Whether the solid has copies of the hull's points or cells."""
         return self.non_manifold == "split" or self.separate_overlaps
 
     def is_planar(self, polygons: vtkPolyData) -> bool:
-        """Whether an input becomes triangles: asked for, or told by the input."""
+        """Whether an input becomes triangles, by the option or by the input itself."""
         OPTIONS["dimension"].set_on(None, "dimension", self.dimension)
         if self.dimension != "automatic":
             return str(self.dimension) == "2"
@@ -164,7 +162,7 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
         return not thickens and bool(vtkRobustTriangulate.IsInAPlane(polygons))
 
     def left_out_by(self, algorithm: Any) -> list[str]:
-        """The names of those that are given and a filter does not have."""
+        """The names of given options that a filter does not have."""
         return [
             name
             for name, option in OPTIONS.items()
@@ -176,13 +174,14 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
         return value is not default and not (isinstance(value, str) and value == default)
 
     def measured_on(self, *all_data: vtkPointSet, factor: float = 1) -> Options:
-        """The same with each length as a number: shares are of the diagonal of the box around all data, times a factor."""
+        """The same options with each length as a number: shares refer to the diagonal of the box around all data, times
+        a factor."""
         shares = {name: share for name in LENGTHS if (share := share_of(name, getattr(self, name))) is not None}
         diagonal = factor * diagonal_of(all_data) if shares else 0
         return replace(self, **{name: share * diagonal for name, share in shares.items()})
 
     def set_on(self, algorithm: Filter, names: Optional[Iterable[str]] = None) -> Filter:
-        """Set what is given on a filter, which is returned: all, or some. Raises `Error` for what is out of range."""
+        """Set all or some of the given options on a filter, and return it. Raises `Error` for a value out of range."""
         for name, option in OPTIONS.items():
             if names is not None and name not in names:
                 continue
@@ -206,10 +205,10 @@ _OWN: dict[str, Option] = {
         "and Body (a name).",
     ),
 }
-"""Those that are no properties, or take more than these."""
+"""Options that are no properties, or accept more values than those."""
 
 LENGTHS = ("merge_tolerance", "touch_tolerance", "thicken", "edge_length", "surface_tolerance", "first_height")
-"""Those that can be shares of the diagonal."""
+"""Lengths that can be shares of the diagonal."""
 
 _KINDS: dict[str, type[Option]] = {
     **dict.fromkeys(LENGTHS, Lengths),
@@ -237,46 +236,46 @@ def _declared(name: str) -> Option:
 
 
 TOPICS: dict[str, list[str]] = {base.__name__.removesuffix("Options").lower(): [one.name for one in fields(base)] for base in Options.__bases__}
-"""The options by what they are about."""
+"""The options by topic."""
 
 OPTIONS: dict[str, Option] = {name: _OWN.get(name) or _declared(name) for names in TOPICS.values() for name in names}
-"""What stands behind each of them, by its name in Python."""
+"""The kind of each option, by its name in Python."""
 
 DEFAULTS: dict[str, Any] = {one.name: one.default for one in fields(Options)}
-"""What leaves a filter its own default."""
+"""The value that leaves a filter's default."""
 
 _PROPERTIES = {option.vtk_property: name for name, option in OPTIONS.items() if option.vtk_property}
 
 REFINING_OPTIONS = tuple(TOPICS["refinement"])
-"""What `refine` has too."""
+"""The options of `refine`."""
 
 LAYER_OPTIONS = tuple(TOPICS["layers"])
-"""What gives the solid boundary layers."""
+"""The options of boundary layers."""
 
 
 def in_words_of_python(texts: Iterable[str]) -> list[str]:
-    """Texts that name VTK's properties, with the names that these have in Python."""
+    """A text with VTK's names of properties replaced by those of Python."""
     return [re.sub(r"\bset (\w+) to ([A-Z]\w*)", _chosen_in_python, text) for text in _renamed(texts, _PROPERTIES)]
 
 
 def _chosen_in_python(found: re.Match[str]) -> str:
-    """ "set orientation to automatic", where a text has the value of an option as panels have it."""
+    """ "set orientation to automatic" for a value as spelled in panels."""
     name, value = found.groups()
     return f"set {name} to {value.lower()}" if name in OPTIONS and value.lower() in OPTIONS[name].choices else found.group()
 
 
 def in_words_of_command(texts: Iterable[str]) -> list[str]:
-    """Texts that name Python's options, with those of the command line."""
+    """A text with Python's names of options replaced by those of the command line."""
     flags = {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds", "priority", "layers", "growth")}
-    return _renamed(texts, {**flags, "set priority": "set --priority"})  # the word alone may be none of an option
+    return _renamed(texts, {**flags, "set priority": "set --priority"})  # a single word may not be an option
 
 
 def help_of(name: str, spelled: Callable[[str], str] = str, quote: str = '"') -> str:
     """An option's description, with options spelled and choices quoted for the reader."""
     words = re.sub(rf"\b(?:{'|'.join(CONSTANTS)})\b", lambda found: f"{quote}{CONSTANTS[found[0]]}{quote}", OPTIONS[name].words)
-    # A word of its own that begins a sentence is no name of an option.
+    # A single word that begins a sentence is no option's name.
     names = "|".join(name if re.search("[a-z][A-Z]", name) else f"(?<=[a-z,;:] ){name}" for name in _PROPERTIES)
-    # A statistic may be called as an option is, and keeps its name.
+    # A statistic may have the name of an option, and keeps it.
     return re.sub(rf"(?<!\bstatistic )(?:{names})\b", lambda found: spelled(_PROPERTIES[found[0]]), words)
 
 
@@ -293,7 +292,7 @@ def _renamed(texts: Iterable[str], names: Mapping[str, str]) -> list[str]:
 
 
 def describe_options(function: Function) -> Function:
-    """Say in a function's help, where {options} stands, what those of its options mean that it does not tell itself."""
+    """Replace {options} in a function's help by descriptions of the options that it does not describe itself."""
     page = function.__doc__ or ""
     names = [name for name in inspect.signature(function).parameters if name in OPTIONS and f" {name}  " not in page]
     width = max(map(len, names)) + 2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packages of others, which are optional."""
+"""Optional packages of third parties."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ OF_DEBIAN = {
     "stl": "python3-stl",
 }
 OF_PIP = {"stl": "numpy-stl"}
-"""The names of packages that differ from their module's."""
+"""Names of packages that differ from the module's name."""
 
 
 def import_package(name: str, why: str = "") -> Any:
-    """The module. Raises `Error` with the remedy if it is not installed."""
+    """Import a module. Raises `Error` with the remedy if it is not installed."""
     try:
         return import_module(name)
     except ImportError:

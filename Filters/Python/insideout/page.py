@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A page that shows a surface and what became of it: one file, which any browser opens and which asks for nothing else.
-
-The data stand in it as `viewer.js`, which draws them, unpacks them: the bytes of all arrays, column by column, compressed.
+"""An .html page that shows a surface, its defects and its solid: one file for any browser, without further requests. It
+contains the compressed bytes of all arrays, column by column, which `viewer.js` unpacks and draws.
 """
 
 from __future__ import annotations
@@ -36,20 +35,20 @@ LEVEL = 6
 """The level of compression."""
 
 SMALLER = 0.6
-"""The size of a panel, and the width of its lines, relative to those of pictures."""
+"""Sizes of a panel and its lines, relative to those of pictures."""
 
 COLOURS_OF_W = 256
-"""Colors from the least w that has one of its own to the largest."""
+"""The colors of w, from the smallest to the largest value with its own color."""
 
 
 def page_of(checked: Check, hull: Optional[vtkUnstructuredGrid], solid: Optional[vtkUnstructuredGrid], title: str, up: Optional[str]) -> bytes:
-    """The content of an .html file that shows a surface and its defects and, where there is a hull, its w and the solid in it.
+    """The content of an .html file that shows a surface, its defects and, if there is a hull, its w and the solid in it.
 
-    solid  what is inside, where that is not cells of the hull
+    solid  the solid, if its cells are not those of the hull
     up     which axis is up
     """
     scene = Scene(triangles_of(checked.surface), checked.lines, up)
-    # The hull's are those of the run that made it, which may have had options that the check has not.
+    # The hull's statistics are those of the run that made it, whose options the check may lack.
     statistics: dict[str, float] = {**statistics_of(checked.surface)}
     if hull is not None:
         statistics.update(statistics_of(hull))
@@ -75,7 +74,7 @@ def page_of(checked: Check, hull: Optional[vtkUnstructuredGrid], solid: Optional
 
 
 class Scene:
-    """The arrays that are drawn, and how the viewer is to show them."""
+    """The arrays that are drawn, and how the viewer shows them."""
 
     def __init__(self, marked: vtkPolyData, lines: vtkPolyData, up: Optional[str]):
         self.marked, self.lines = marked, lines
@@ -89,7 +88,7 @@ class Scene:
 
     def _add_surface(self) -> None:
         kinds = kinds_of_facets(self.marked)
-        # The first of several facets at one place is drawn: a duplicate before the facet that it repeats.
+        # The first of several coincident facets is visible, so duplicates come before the facets that they repeat.
         triangles, order = rows_by_least(corners_of(self.marked.GetPolys(), 3), len(FACETS) - kinds)
         self.add("surfacePoints", "floats", self._places(self.marked))
         self.add("surface", "ids", relative(triangles))
@@ -101,7 +100,7 @@ class Scene:
         self.line_width = (WIDTH if sum(map(len, ends)) <= MANY_LINES else THIN) * SMALLER
 
     def add_hull(self, hull: vtkUnstructuredGrid, solid: Optional[vtkUnstructuredGrid]) -> None:
-        """All cells, those inside first, and a solid that is not of these."""
+        """All cells, those inside first, and a separate solid if there is one."""
         cells, w = corners_of(hull.GetCells(), 4), vtk_to_numpy(hull.GetCellData().GetArray("w"))
         outside = vtk_to_numpy(hull.GetCellData().GetArray("Inside")) == 0
         cells, order = rows_by_least(np.sort(cells, axis=1), outside if solid is None else np.zeros(len(cells)))
@@ -119,7 +118,7 @@ class Scene:
         self.add("outer", "bytes", outer_faces(cells))
 
     def add(self, name: str, kind: str, values: NDArray[Any]) -> None:
-        """An array of "bytes", or of "floats" or "ids" of four bytes."""
+        """An array of "bytes", or of four-byte "floats" or "ids"."""
         rows = np.ascontiguousarray(values.reshape(len(values), *values.shape[1:2] or (1,)), {"bytes": np.uint8, "floats": np.float32, "ids": np.uint32}[kind])
         self.arrays.append(({"name": name, "kind": kind, "rows": len(rows), "columns": rows.shape[1]}, rows.view(np.uint8).T.tobytes()))
 
@@ -151,11 +150,11 @@ class Scene:
         }
 
     def places_to_see(self) -> list[tuple[Place, list[float]]]:
-        """The worst places, and where they are drawn."""
+        """The worst places, and the points where they are drawn."""
         return [(place, ((place.point - self.center) / self.radius).round(5).tolist()) for place in worst_places(self.marked, self.lines)]
 
     def _places(self, data: Any) -> NDArray[np.float32]:
-        """Points as they are drawn, within a ball of radius 1."""
+        """Points scaled for drawing, within a ball of radius 1."""
         if data.GetNumberOfPoints() == 0:
             return np.zeros((0, 3), np.float32)
         places = (vtk_to_numpy(data.GetPoints().GetData()).astype(float) - self.center) / self.radius
@@ -163,7 +162,7 @@ class Scene:
 
 
 def rows_by_least(rows: NDArray[np.int64], groups: NDArray[Any]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """The rows in the order of groups, and in it of their least ids, to which each is turned; and which row each was."""
+    """The rows, each rotated to begin with its smallest id, sorted by group and that id; and their original indices."""
     first = rows.argmin(axis=1)
     turned = np.take_along_axis(rows, (first[:, np.newaxis] + np.arange(rows.shape[1])) % rows.shape[1], axis=1)
     order = np.lexsort((turned[:, 0], groups))
@@ -171,13 +170,13 @@ def rows_by_least(rows: NDArray[np.int64], groups: NDArray[Any]) -> tuple[NDArra
 
 
 def relative(rows: NDArray[np.int64]) -> NDArray[np.uint32]:
-    """The first column relative to the row before, the others to the first, modulo 2^32."""
+    """Differences modulo 2^32: the first column to the row before, the others to the first column."""
     least = rows[:, :1]
     return np.hstack([np.diff(least, axis=0, prepend=0), rows[:, 1:] - least]).astype(np.uint32)
 
 
 def outer_faces(cells: NDArray[np.int64]) -> NDArray[np.uint8]:
-    """A bit for each corner of tetrahedra, whose corners ascend: whether no other one has the face that is opposite to it."""
+    """A bit for each corner of tetrahedra with ascending corners: whether the opposite face belongs to no other one."""
     if len(cells) == 0:
         return np.zeros(0, np.uint8)
     faces = np.concatenate([np.delete(cells, k, axis=1) for k in range(4)])
@@ -208,7 +207,7 @@ def _css(colour: Colour) -> str:
 
 
 def _panel(name: str, heading: str, beneath: str) -> str:
-    """One drawing, and markup beneath it."""
+    """One drawing, with markup beneath it."""
     return (
         f'<figure id="{name}"><figcaption>{heading}<button class="enlarge" aria-label="enlarge, or make small again">&#x2922;</button></figcaption>'
         f'<canvas tabindex="0" aria-label="{heading}"></canvas><div class="beneath">{beneath}</div></figure>'
@@ -224,7 +223,7 @@ def _scale() -> str:
 
 
 def _cut(view: View) -> str:
-    """The controls of the plane, at first across the view's axis, in the middle."""
+    """The controls of the cutting plane, which starts in the middle, across the view's axis."""
     first = int(np.abs(view.slice_normal).argmax())
     axes = "".join(
         f'<label><input type="radio" name="axis" value="{k}"{" checked" * (k == first)}> {name}</label>' for k, name in enumerate("xyz")

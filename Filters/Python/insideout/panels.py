@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of surfaces and hulls, drawn by a program of its own (`insideout.picture`), for it needs a display."""
+"""Pictures of surfaces and hulls, drawn by a separate program (`insideout.picture`), because it needs a display."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ def draw_panels(
     row: bool = False,
     timeout: Optional[float] = None,
 ) -> bytes:
-    """The content of a .png file that shows what there is of these: a surface with its defects, without a hull from two sides
-    and with a legend; a slice and the solid of a hull; the dihedral angles of a solid.
+    """The content of a .png file that shows those of these that are given: a surface with its defects (without a hull
+    from two sides, with a legend); a slice and the solid of a hull; the dihedral angles of a solid.
 
     surface, lines  as `check` marks and draws them: both or none
     solid           what is inside a hull, where it is not cells of that
@@ -88,15 +88,15 @@ def display_command() -> list[str]:
         return []
     if shutil.which("xvfb-run") is None:
         raise Error("there is no display to draw on: set DISPLAY, or apt-get install xvfb xauth")
-    # One that does not start anew, and turn clients away meanwhile, when its last client goes.
+    # A server that does not reset, which would reject clients, when its last client closes.
     return ["xvfb-run", "-a", "-s", "-noreset -screen 0 1280x1024x24"]
 
 
 def _run(command: list[str], folder: str, timeout: Optional[float]) -> None:
-    """Run a program whose temporary files are in a folder. Raises `Error` with the last line that it says."""
+    """Run a program whose temporary files are in a folder. Raises `Error` with the last line of its output."""
     with contextlib.ExitStack() as to_end:
         with deferring_signals():
-            # In a session of its own, so that all can be ended that it started.
+            # In a session of its own, so that all processes that it started can be ended.
             process = to_end.enter_context(
                 subprocess.Popen(
                     command,

@@ -14,11 +14,11 @@ from .pipeline import STATISTICS_NAMES
 from .serializing import make_cells, vtk_array
 
 NAMES = "Names"
-"""What arrays of field data end with that numbers of cells refer to."""
+"""The endings of field arrays to which numbers of cells refer."""
 
 
 def part_of(data: Any, cells: NDArray[np.int64], chosen: NDArray[np.int64]) -> Any:
-    """Some cells of a data set of cells of one kind, with their points and all data, and the names that these refer to."""
+    """Some cells of a data set with one type of cell, with their points, all data and the names that these refer to."""
     used, corners = np.unique(cells[chosen], return_inverse=True)
     part = type(data)()
     part.SetPoints(points_as(data, data.points[used]))
@@ -37,7 +37,7 @@ def part_of(data: Any, cells: NDArray[np.int64], chosen: NDArray[np.int64]) -> A
 
 
 def points_as(data: Any, coordinates: NDArray) -> vtkPoints:
-    """Points of the precision that those of a data set have."""
+    """Points with the precision of a data set's points."""
     points = vtkPoints()
     if data.GetPoints() is not None:
         points.SetDataType(data.GetPoints().GetDataType())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The picture that `insideout.draw` draws, as a program, for it needs a display.
+"""The program that draws the pictures of `insideout.draw`; it needs a display.
 
     python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--solid SOLID.vtu]
         [--curve CURVE.vtp] [--marks POINTS.vtp] [--up z] [--row] [--quality FIGURES.vtu]
@@ -39,7 +39,7 @@ from .view import HEIGHT, PANEL_WIDTH, View, ViewFromAbove
 
 
 def lights() -> vtkLightKit:
-    """White ones from several sides, so that no side is dark."""
+    """White lights from several sides, so that no side is dark."""
     kit = vtkLightKit()
     kit.SetKeyLightWarmth(0.5)
     kit.SetFillLightWarmth(0.5)
@@ -86,7 +86,7 @@ def render(panels: list[Panel], view: Optional[AnyView], file: str, description:
 
 def read(reader: Any, file: str) -> Any:
     reader.SetFileName(file)
-    run(reader, harmless=HARMLESS_WHEN_READING)  # figures alone have no points
+    run(reader, harmless=HARMLESS_WHEN_READING)  # a histogram alone has no points
     return reader.GetOutput()
 
 
@@ -132,7 +132,7 @@ def main(options: argparse.Namespace) -> None:
             return
         marked = triangles_of(checked)
         view = View(marked, up)
-        # The hull's are those of the run that made it, which may have had options that the check has not.
+        # The hull's statistics are those of the run that made it, whose options the check may lack.
         statistics = {**statistics_of(checked), **(dict(statistics_of(hull)) if hull else {})}
         panels += [surface_panel(marked, lines, statistics)] if hull else defect_panels(marked, lines, statistics, view)
         description = told(statistics)

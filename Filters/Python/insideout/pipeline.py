@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Run VTK algorithms the Python way: errors are exceptions, warnings come back as a list.
 
-VTK reports errors as events and prints those that nobody observes. `run` observes them, so that
-nothing is printed and nothing goes unnoticed. It lets go of the interpreter while VTK works: other
-threads of Python run meanwhile, and Ctrl-C stops the algorithm.
+VTK reports errors as events and prints those without an observer. `run` observes them, so that none is printed or lost.
+It releases the interpreter lock while VTK works: other threads of Python run meanwhile, and Ctrl-C stops the algorithm.
 """
 
 from __future__ import annotations
@@ -31,10 +30,10 @@ from .stages import UNNAMED
 from .statistics import Statistics
 
 Progress = Callable[[str, float], object]
-"""Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
+"""Called with the name of the current stage and the fraction (0 to 1) of the whole work that is done."""
 
 STATISTICS, STATISTICS_NAMES = "Statistics", "StatisticsNames"
-"""The field arrays of figures and of their names."""
+"""The field arrays with figures and their names."""
 
 MEASURED = (
     *("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Scale", "Diagonal", "EnclosedVolume", "OpenLength"),
@@ -43,13 +42,12 @@ MEASURED = (
     *("AverageMeanRatio", "SurfaceTolerance", "SurfaceDistance", "InputDistance", "Area", "MinAngle", "Angle1Percent", "MaxAngle"),
     *("DroppedVolume", "FilledVolume", "Genus", "FullHeightShare", "MeanHeightShare"),
 )
-"""What the names of statistics begin with that do not count; those of tetrahedra before they are refined have a Before."""
+"""The prefixes of statistics that are no counts; statistics of tetrahedra before refinement have the prefix Before."""
 
 
 class Messages:
-    """The errors of VTK objects, kept instead of printed.
-
-    A context manager: it observes the objects from `with` on and lets go of them at its end.
+    """The errors of VTK objects, kept instead of printed. A context manager: it observes the objects within the `with`
+    block.
     """
 
     def __init__(self, *objects: vtkObject):
@@ -72,11 +70,10 @@ class Messages:
 
 
 def run(algorithm: vtkAlgorithm, progress: Optional[Progress] = None, harmless: tuple[str, ...] = ()) -> list[str]:
-    """Bring an algorithm up to date; a writer writes.
-
-    Returns its warnings. Raises `Error` with its first error that does not begin with one of `harmless`. Algorithms
-    upstream report their own errors: run them before. Raises `KeyboardInterrupt` after Ctrl-C, when the algorithm has
-    stopped, and whatever `progress` raises, which stops it too.
+    """Update an algorithm, or write with a writer. Returns its warnings. Raises `Error` with its first error that does
+    not begin with one of `harmless`. Algorithms upstream report their own errors: run them before. Raises
+    `KeyboardInterrupt` after Ctrl-C, when the algorithm has stopped, and whatever `progress` raises, which stops it
+    too.
     """
     _require_memory(algorithm)
     algorithm.SetAbortExecute(0)
@@ -86,14 +83,14 @@ def run(algorithm: vtkAlgorithm, progress: Optional[Progress] = None, harmless: 
         listener.raise_error(harmless)
     except BaseException:
         algorithm.SetAbortExecute(0)
-        # Else it would be taken for up to date, and say nothing the next time.
+        # Otherwise it would count as up to date, and report nothing the next time.
         algorithm.Modified()
         raise
     return listener.messages[_WARNING]
 
 
 def run_with_upstream(algorithm: vtkAlgorithm) -> list[str]:
-    """The same of an algorithm and of all that are upstream of it, one after the other: each tells its own errors."""
+    """Run an algorithm and all that are upstream of it, one after the other: each reports its own errors."""
     warnings = []
     for port in range(algorithm.GetNumberOfInputPorts()):
         for connection in range(algorithm.GetNumberOfInputConnections(port)):
@@ -111,7 +108,8 @@ def write_data(data: vtkDataObject, path: str) -> None:
 
 
 def plain_polygons(surface: vtkPolyData, in_floats: bool) -> tuple[vtkPolyData, list[str]]:
-    """The checked polygons of a surface, strips as triangles; points rounded to floats, and what that makes worse."""
+    """The checked polygons of a surface (strips as triangles), its points rounded to floats, and warnings of this
+    rounding."""
     plain = vtkPolyData()
     with _Listener() as listener:
         _unlocked.vtkInsideOutPlainPolygons(*(_address(data, "vtkDataObject") for data in (surface, plain)), in_floats, listener.function)
@@ -120,9 +118,8 @@ def plain_polygons(surface: vtkPolyData, in_floats: bool) -> tuple[vtkPolyData, 
 
 
 def write_bytes(content: bytes, path: str) -> None:
-    """Write a file, whole or not at all: an earlier one is as it was until then.
-
-    Raises `Error` that names the file, and what stops it: `KeyboardInterrupt` after Ctrl-C.
+    """Write a file, whole or not at all: an earlier one stays until it is complete. Raises `Error` that names the file,
+    and `KeyboardInterrupt` after Ctrl-C.
     """
     with _Listener() as listener:
         _unlocked.vtkInsideOutWriteBytes(content, len(content), path.encode(), listener.function)
@@ -130,7 +127,8 @@ def write_bytes(content: bytes, path: str) -> None:
 
 
 def _require_memory(algorithm: vtkAlgorithm) -> None:
-    """Raise `Error` where VTK would end the program. The classes of this module do that themselves."""
+    """Raise `Error` for too large data, for which VTK would end the program. The classes of this module do that
+    themselves."""
     inputs = (
         algorithm.GetInputDataObject(port, connection)
         for port in range(algorithm.GetNumberOfInputPorts())
@@ -163,7 +161,7 @@ def statistics_of(data: vtkDataObject) -> Statistics:
 
 
 def fields_of(statistics: Mapping[str, float]) -> vtkFieldData:
-    """Field data with these statistics, as filters have them."""
+    """Field data with these statistics, as filters store them."""
     values, names, fields = vtkDoubleArray(), vtkStringArray(), vtkFieldData()
     for array, name in ((values, STATISTICS), (names, STATISTICS_NAMES)):
         array.SetName(name)
@@ -175,7 +173,7 @@ def fields_of(statistics: Mapping[str, float]) -> vtkFieldData:
 
 
 def add_statistic(name: str, value: float, data: vtkDataObject) -> None:
-    """Put one more figure into the field data."""
+    """Add a figure to the field data."""
     fields = data.GetFieldData()
     values, names = vtkDoubleArray(), vtkStringArray()
     for array, kept in ((values, STATISTICS), (names, STATISTICS_NAMES)):
@@ -205,7 +203,7 @@ def cells_of(data: vtkDataObject, name: str) -> list[int]:
 
 
 def plain_message(decorated: str) -> str:
-    """A VTK message without the file, line and address that VTK puts around it, in one line."""
+    """A VTK message in one line, without VTK's file, line and address."""
     match = re.match(r"\w+: In .*?, line \d+\n\w+ \(\w+\): (.*)", decorated, re.DOTALL)
     lines = (match.group(1) if match else decorated).strip().splitlines()
     return lines[0] if lines else "unknown error"
@@ -232,7 +230,7 @@ before_end_at_once(_unlocked.vtkInsideOutRemoveUnfinishedFiles)
 
 
 def set_threads(number: int) -> None:
-    """Set the number of threads of filters in this thread of Python, at least 1. They warn if it is too large."""
+    """Set the number of threads, at least 1, of filters that this Python thread runs. They warn if it is too large."""
     try:
         _locked.omp_set_num_threads(ctypes.c_int(min(number, 2**31 - 1)))
     except AttributeError:
@@ -240,9 +238,8 @@ def set_threads(number: int) -> None:
 
 
 class _Listener:
-    """Hears what C++ says while it works. Signals and what `progress` raises stop it, and come out at its end.
-
-    VTK would end the program where an observer is interrupted, and forget whatever else it raises.
+    """Receives the events of C++ code. Signals and exceptions of `progress` stop it, and are raised at its end. VTK
+    would end the program if an observer were interrupted, and would drop other exceptions.
     """
 
     def __init__(self, progress: Optional[Progress] = None):
@@ -253,7 +250,7 @@ class _Listener:
         self._handlers: dict[int, Callable[[int, Optional[FrameType]], Any]] = {}
 
     def __enter__(self) -> _Listener:
-        # Python lets only the main thread handle signals, and only what Python has set can be set again.
+        # Only the main thread of Python can handle signals, and only handlers set by Python can be restored.
         if threading.current_thread() is threading.main_thread():
             for number, stop in ((signal.SIGINT, self._interrupt), (signal.SIGTERM, self._terminate)):
                 handler = signal.getsignal(number)
@@ -270,7 +267,7 @@ class _Listener:
 
     def raise_error(self, harmless: tuple[str, ...] = ()) -> None:
         """Raise the first error that does not begin with one of `harmless`."""
-        # A failed request, which is all that the executive reports, counts only without another error.
+        # The executive reports only that a request failed, which counts only without another error.
         for error in self.messages[_ERROR] or self.messages[_REQUEST_FAILED]:
             if not error.startswith(harmless):
                 raise Error(error)

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from .serializing import vtk_array
 
 LEAST_SIDE = 400
-"""Pixels: smaller arrays are enlarged."""
+"""The least size in pixels: smaller arrays are enlarged."""
 
 INSIDE, BORDER, OUTSIDE = np.array([(40, 84, 160), (250, 250, 247), (190, 60, 40)], float)
 LINES = 8  # of equal distance, between 0 and the largest
@@ -20,7 +20,7 @@ LINES = 8  # of equal distance, between 0 and the largest
 
 def picture_of_slice(distance: NDArray[np.float64]) -> bytes:
     """The content of a .png file that shows signed distances: blue below 0, red above, with lines of equal distance."""
-    from vtkmodules.vtkIOImage import vtkPNGWriter  # of a module that the classes do not need
+    from vtkmodules.vtkIOImage import vtkPNGWriter  # its module is not needed by the classes
 
     enlarged = max(1, -(-LEAST_SIDE // max(distance.shape)))
     values = np.kron(np.nan_to_num(distance), np.ones((enlarged, enlarged)))

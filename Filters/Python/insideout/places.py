@@ -20,21 +20,22 @@ from .pipeline import Error, run, write_bytes, write_data
 QUERIES = (".csv", ".vti")
 
 FOUND = ("w", "inside", "distance")
-"""New columns of a table, the last on request; existing columns of these names, in any case, get new values."""
+"""New columns of a table, the last on request; existing columns of these names (upper or lower case) get new values."""
 
 
 class Places(Protocol):
     """Query points that were read, and can be written again with results."""
 
     data: vtkDataSet
-    """Its points are the places."""
+    """The query points."""
 
     def write(self, w: NDArray[np.float64], path: str, distance: Optional[NDArray[np.float64]] = None) -> None:
-        """Write the places with their winding numbers w, 1 for those inside, where w is above 1/2, and their distances."""
+        """Write the query points with their winding numbers w, 1 for those inside (w above 1/2), and their
+        distances."""
 
 
 def read_places(path: str) -> Places:
-    """The places in a .csv or .vti file. Raises `Error` that names the file, and the line in a table."""
+    """Read the query points in a .csv or .vti file. Raises `Error` that names the file, and the line in a table."""
     check_input(path, QUERIES)
     if ending(path) == ".csv":
         return _Table(path)
@@ -42,9 +43,8 @@ def read_places(path: str) -> Places:
 
 
 def read_seeds(path: str) -> list[tuple[tuple[float, float, float], bool, str]]:
-    """Points that have to be inside or outside, from a .csv file whose fourth column says which, by 1 or 0.
-
-    A fifth column, if it is called body or has no name, is the body that a seed is of.
+    """Read seeds from a .csv file: points, and 1 (inside) or 0 (outside) in the fourth column. A fifth column, if it is
+    called body or has no name, is the seed's body.
     """
     check_input(path, (".csv",))
     table = _Table(path)
@@ -58,10 +58,8 @@ def read_seeds(path: str) -> list[tuple[tuple[float, float, float], bool, str]]:
 
 
 class _Table:
-    """A line of names that begins with x, y, z, or none, then a line of numbers for each place.
-
-    Further columns are kept, letter by letter, but for those named w or inside, and distance where that is
-    asked for, which get the new values.
+    """A table with an optional line of names that begin with x, y, z, then a line of numbers per query point. Further
+    columns are kept unchanged, except for those named w, inside and, if requested, distance, which get the new values.
     """
 
     def __init__(self, path: str):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Show a picture: in a notebook, or in a window of a process of its own."""
+"""Show a picture: in a notebook, or in a window of a separate process."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def plot(content: bytes, title: str) -> None:
 
 
 def _notebook() -> Optional[Any]:
-    """IPython's functions that show things, where a notebook runs this; a terminal shows no pictures."""
+    """IPython's display functions in a notebook; None elsewhere, for a terminal shows no pictures."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython is not None else None
     if shell is None or not hasattr(shell, "kernel"):

@@ -13,8 +13,8 @@ BAR_WIDTH = 30
 class StageBars:
     """Shows stages as they begin, go on and end.
 
-    On a terminal the stage's bar is redrawn in place; elsewhere, in a log say, each stage gets one
-    line when it is finished. A stream that is closed meanwhile is no reason to stop working.
+    On a terminal the stage's bar is redrawn in place; elsewhere, for example in a log, each stage gets one line when it
+    is finished. A closed stream does not stop the work.
     """
 
     def __init__(self, stream: Optional[TextIO]):
@@ -46,13 +46,13 @@ class StageBars:
             self._stage = None
 
     def abandon(self) -> None:
-        """The stage shown has failed: leave its bar as it stands and end the line."""
+        """The current stage has failed: keep its bar and end the line."""
         if self._stage is not None and self._redraws:
             self._write("\n")
         self._stage = None
 
     def show_part(self, stages: Sequence[str], stage: str, fraction_of_all: float) -> None:
-        """The same for one of several stages that share a whole equally, by the fraction of the whole."""
+        """Report the fraction of a whole of which several stages have equal shares."""
         if stage in stages:  # VTK's own reports at the very start and end name none
             self.show(stage, fraction_of_all * len(stages) - stages.index(stage))
 

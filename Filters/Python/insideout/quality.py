@@ -52,15 +52,15 @@ class SolidCheck(MeshResult):
     """The result of `check_solid`. The VTK class vtkSolidQuality describes the arrays and statistics."""
 
     solid: Union[Tetrahedra, LayeredCells]
-    """The solid with the quality of each cell. Its field data are what was measured, and not what it had."""
+    """The solid with the quality of each cell. Its field data are the measurements instead of those of the input."""
     statistics: Statistics
     """Counts, angles and ratios by name."""
     histogram: list[int]
-    """How many dihedral angles are in each 5 degrees, from 0 to 180."""
+    """The number of dihedral angles per 5 degrees, from 0 to 180."""
     findings: list[Finding]
     """The defects, most important first; empty if there are none."""
     verdict: str
-    """Whether it is a mesh that a solver takes, in one sentence."""
+    """One sentence: whether a solver accepts the mesh."""
     warnings: list[str]
     """Warnings about the input, one line each."""
 
@@ -78,7 +78,7 @@ class SolidCheck(MeshResult):
 
 
 _TREATMENTS = ("RefinedCells", "SurfaceDistance")
-"""Statistics that tell which advice was followed already."""
+"""Statistics that show which advice was already followed."""
 
 
 @for_users
@@ -141,7 +141,7 @@ def topology_rows(statistics: Mapping[str, float]) -> list[tuple[str, str]]:
 
 
 def quality_rows(statistics: Mapping[str, float]) -> list[tuple[str, str]]:
-    """The figures in words: name and value."""
+    """The figures as pairs of name and value."""
     least, one_percent, largest = (statistics[name] for name in ("MinDihedralAngle", "DihedralAngle1Percent", "MaxDihedralAngle"))
     rows = [
         ("dihedral angles", f"{least:.3g} to {largest:.4g} degrees, 1 % of them up to {one_percent:.3g}"),

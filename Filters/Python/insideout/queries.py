@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`winding_number`, `inside`, `distance` and `voxels`: queries of places relative to a surface, without a mesh."""
+"""`winding_number`, `inside`, `distance` and `voxels`: queries of points relative to a surface, without a mesh."""
 
 from __future__ import annotations
 
@@ -33,17 +33,17 @@ def winding_number(
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> NDArray[np.float64]:
-    """How often a surface winds around each of some points.
+    """The winding number of a surface at points.
 
-    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    surface   any type of surface that `insideout` accepts: a vtkPolyData, a file's name, a pair (points, triangles) ...
     points    one point (3,) or an array of them (..., 3); or a VTK data set whose points are meant
-    progress  called with the stage and the fraction that is done; what it raises stops the work
+    progress  called with the stage and the fraction that is done; an exception that it raises stops the work
 
     {options}
 
     Returns an array of float64 with the shape (...), one value per point: 1 inside a closed surface and 0
     outside it, a fraction between near holes. It is right to rounding; the surface may be open and cross itself.
-    Raises `Error` with one line that names what is wrong.
+    Raises `Error` with one line that names the culprit.
     """
     return _ask_at(points, "w", surface, Options.among(locals()), progress)
 
@@ -51,11 +51,11 @@ def winding_number(
 def _ask_at(
     points: AnyPoints, name: str, surface: AnySurface, options: Options, progress: Optional[Progress], **properties: Any
 ) -> NDArray[Any]:
-    """One of the arrays of an answer, in the shape of the points."""
+    """An array of the answer, in the shape of the points."""
     places, shape = points_and_shape(points)
     answer = ask(surface, places, options, progress, **properties)
     tell(answer.warnings)
-    values: NDArray[Any] = answer.array(name).reshape(shape)[()]  # of one point a number
+    values: NDArray[Any] = answer.array(name).reshape(shape)[()]  # a number for a single point
     return values
 
 
@@ -73,7 +73,7 @@ class Answer:
 def ask(
     surface: AnySurface, places: vtkDataSet, options: Options, progress: Optional[Progress], **properties: Any
 ) -> Answer:
-    """Probe at the points of a data set; `properties` are further ones of vtkProbeWindingNumber."""
+    """Probe at the points of a data set; `properties` are further properties of vtkProbeWindingNumber."""
     polygons, warnings = as_surface(surface, options.factor())
     probe = options.measured_on(polygons).set_on(vtkProbeWindingNumber())
     for name, value in properties.items():
@@ -95,19 +95,17 @@ def distance(
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> NDArray[np.float64]:
-    """How far each of some points is from a surface; negative inside, where the winding number is above 1/2.
+    """The signed distance of points to a surface; negative inside, where the winding number is above 1/2.
 
-    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    surface   any type of surface that `insideout` accepts: a vtkPolyData, a file's name, a pair (points, triangles) ...
     points    one point (3,) or an array of them (..., 3); or a VTK data set whose points are meant
-    progress  called with the stage and the fraction that is done; what it raises stops the work
+    progress  called with the stage and the fraction that is done; an exception that it raises stops the work
 
     {options}
 
-    Returns an array of float64 with the shape (...), one value per point, in the surface's units: NaN where a
-    point is not finite. It is the distance from the surface, inner walls included, which overlapping parts have:
-    `sdf_grid` has that from the solid, too.
-    The sign is right where the surface is open and crosses itself, too. Raises `Error` with one line that
-    names what is wrong.
+    Returns an array of float64 with the shape (...), one value per point, in the surface's units: NaN where a point is
+    not finite. Inner walls of overlapping parts count, too; `sdf_grid` can give the distance to the solid instead. The
+    sign is right also where the surface is open or crosses itself. Raises `Error` with one line that names the culprit.
     """
     return _ask_at(points, "Distance", surface, Options.among(locals()), progress, Distance=True)
 
@@ -124,17 +122,17 @@ def voxels(
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-    """The voxels whose centers are inside a surface, as an array, and where the first of them is.
+    """The voxels whose centers are inside a surface, as an array, and the position of the first.
 
-    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
-    spacing   from one voxel to the next, above 0, in the surface's units: one number, or one for each axis
-    progress  called with the stage and the fraction that is done; what it raises stops the work
+    surface   any type of surface that `insideout` accepts: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    spacing   distance between neighboring voxels, above 0, in the surface's units: one number, or one for each axis
+    progress  called with the stage and the fraction that is done; an exception that it raises stops the work
 
     {options}
 
-    Returns (inside, origin): an array of bool with an index for x, y and z each, and the center of inside[0, 0, 0];
-    that of inside[i, j, k] is origin + spacing * (i, j, k). The voxels cover the box around the surface, with
-    nothing of it beyond them. Raises `Error` with one line that names what is wrong.
+    Returns (inside, origin): an array of bool with the indices of x, y and z, and the center of inside[0, 0, 0]. The
+    center of inside[i, j, k] is origin + spacing * (i, j, k). The voxels cover the bounding box of the surface. Raises
+    `Error` with one line that names the culprit.
     """
     steps = spacing_of(spacing)
     options = Options.among(locals())
@@ -159,11 +157,12 @@ def inside(
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> NDArray[np.bool_]:
-    """Which of some points are inside a surface: those whose winding number is above a threshold.
+    """Which points are inside a surface: those with a winding number above a threshold.
 
     threshold  of the winding number, which is 1 inside and 0 outside a closed surface
 
-    All else is as with `winding_number`. Returns an array of bool with the shape (...), one value per point.
+    The other arguments are those of `winding_number`. Returns an array of bool with the shape (...), one value per
+    point.
     """
     least = finite("threshold", threshold)
     w = winding_number(

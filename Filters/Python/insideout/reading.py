@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`read`: the content of a file. The ending of its name is its format."""
+"""`read`: the content of a file, in the format that the ending of its name says."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from .inputs import path_of
 from .pipeline import Progress
 
 _TYPES = {VTK_TETRA: Tetrahedra, VTK_QUADRATIC_TETRA: Tetrahedra, VTK_TRIANGLE: Triangles}
-"""By the type of the first cell, where there are no layers."""
+"""The class by the type of the first cell, for solids without layers."""
 
 
 @for_users
 def read(path: Path, *, progress: Optional[Progress] = None) -> Union[TriangleSurface, Polylines, Tetrahedra, LayeredCells, Triangles, vtkUnstructuredGrid]:
-    """What a file holds: a surface as a vtkPolyData, or a solid as a vtkUnstructuredGrid, with all arrays.
+    """The content of a file: a surface as a vtkPolyData, or a solid as a vtkUnstructuredGrid, with all arrays.
 
-    path      a surface: .ply, .obj, .off, .stl, .vtp, .glb or .3mf, also compressed with .gz behind it; or lines in a
+    path      a surface: .ply, .obj, .off, .stl, .vtp, .glb or .3mf, also compressed with .gz appended; or lines in a
               plane: .csv; or a solid: .vtu, .msh (gmsh), .inp (Abaqus and CalculiX) or .mesh (Medit)
-    progress  called with what is being done and the fraction that is done; what it raises stops the reading
+    progress  called with what is being done and the fraction that is done; an exception that it raises stops the reading
 
-    A solid has the cell array RegionId where its file has groups, and their names in the field array RegionNames. A
-    file of triangles alone is a solid in a plane. (The VTK class vtkSolidReader gives the triangles of the boundary
-    with their tags, too.) Coordinates keep all the digits that the file gives. Warns of what was passed over.
-    Raises `Error` that names the file, and what is wrong in which line of it.
+    A solid from a file with groups has the cell array RegionId, and the names of groups in the field array RegionNames.
+    A file of triangles alone is a solid in a plane. (The VTK class vtkSolidReader gives the triangles of the boundary
+    with their tags, too.) Coordinates keep all digits of the file. Warns of skipped content. Raises `Error` that names
+    the file, the line and the reason.
     """
     path = path_of("path", path)
     if ending(path) in READABLE_SOLIDS:

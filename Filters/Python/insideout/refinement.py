@@ -25,7 +25,7 @@ from .vtkFiltersInsideOut import vtkRefineTetrahedra
 Sizes = Union[str, ArrayLike]
 
 SIZES = "insideout.sizes"
-"""The name of the array of lengths that a caller gives without a name."""
+"""The name of a caller's array of lengths."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -33,9 +33,9 @@ class Refinement(MeshResult):
     """The result of `refine`. The VTK class vtkRefineTetrahedra describes the arrays."""
 
     solid: Tetrahedra
-    """Other tetrahedra of the same solid, with the data of the ones they come from."""
+    """Other tetrahedra of the same solid, with data of the original ones."""
     statistics: Statistics
-    """Counts and seconds, by name, and what the solid came with."""
+    """Counts and seconds by name, including statistics of the input."""
     warnings: list[str]
     """Warnings, one line each."""
 
@@ -59,16 +59,17 @@ def refine(
 ) -> Refinement:
     """Better tetrahedra of the same solid. Without a length each triangle of its boundary, and between regions, stays as it is.
 
-    solid       whatever `check_solid` takes, of first order; an array of integers RegionId per cell tells regions apart
-    sizes       how long edges are to be at each point of the solid; or the name of its point array that says so
-    background  a vtkDataSet that has a point array of that name, too: it holds between its points
-    progress    called with the stage and the fraction of all the work that is done; what it
+    solid       any type of solid that `check_solid` accepts, of first order; the integer cell array RegionId
+                distinguishes regions
+    sizes       the edge length at each point of the solid, or the name of its point array of edge lengths
+    background  a vtkDataSet with a point array of that name, too: lengths are interpolated between its points
+    progress    called with the stage and the fraction of all the work that is done; an exception that it
                 raises stops the work and is raised
 
     {options}
 
     Omitted options have the defaults of the class vtkRefineTetrahedra. Returns a `Refinement`. Raises `Error` with one
-    line that names what is wrong.
+    line that names the culprit.
     """
     options = Options.among(locals())
     grid, warnings = as_solid(solid)
@@ -105,7 +106,7 @@ def refined(
 
 
 def _with_sizes(grid: vtkUnstructuredGrid, sizes: Any) -> vtkUnstructuredGrid:
-    """The grid with the array of lengths that a caller gives."""
+    """The grid with a caller's array of lengths."""
     lengths = numbers("sizes", sizes)
     if lengths.shape != (grid.GetNumberOfPoints(),):
         raise Error(f"sizes has the shape {lengths.shape}; it must have one value for each of {grid.GetNumberOfPoints()} points")

@@ -23,11 +23,11 @@ class Resolution(MeshResult):
     """The result of `resolve`. The VTK class vtkResolveSelfIntersections describes the arrays."""
 
     surface: Union[TriangleSurface, Polylines]
-    """The same surface in triangles of which no two meet except in shared points and edges; of lines, the same in lines."""
+    """The same surface in triangles that meet only in shared points and edges; for lines, the same in lines."""
     statistics: Statistics
     """Counts and seconds, by name."""
     left_out_cells: list[int]
-    """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
+    """The cells of the surface with facets that could not be resolved; hardly ever any."""
     warnings: list[str]
     """Warnings about the input, one line each."""
 
@@ -53,22 +53,22 @@ def resolve(
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> Resolution:
-    """Cut a surface where it crosses itself, exactly. Nothing else of it changes.
+    """Cut a surface where it crosses itself, exactly. Nothing else changes.
 
-    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
-    progress  called with the stage and the fraction of all the work that is done; what it
+    surface   any type of surface that `insideout` accepts: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    progress  called with the stage and the fraction of all the work that is done; an exception that it
               raises stops the work and is raised
 
     {options}
 
-    Returns a `Resolution`. Raises `Error` with one line that names what is wrong.
+    Returns a `Resolution`. Raises `Error` with one line that names the culprit.
     """
     options = Options.among(locals())
     polygons, warnings = as_surface(surface, options.factor())
     options = options.measured_on(polygons)
     resolver: Any = options.set_on(vtkResolveSelfIntersections())
     are_lines = polygons.GetNumberOfPolys() + polygons.GetNumberOfStrips() == 0 < polygons.GetNumberOfLines()
-    if are_lines:  # they are cut on the way to triangles; the enclosed region does not matter
+    if are_lines:  # lines are cut by the filter for triangles, whatever region they enclose
         resolver = options.set_on(vtkRobustTriangulate())
         resolver.SetOrientation(resolver.AS_GIVEN)
         resolver.GenerateHullOn()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Common behavior of all results: they can be pickled, copied, measured and drawn, and print as a line or a table."""
+"""Common behavior of all results: they can be pickled, copied, measured, drawn, and printed as a line or a table."""
 
 from __future__ import annotations
 
@@ -25,17 +25,16 @@ class Result:
     """The base of the dataclasses that functions return."""
 
     def figures(self) -> list[tuple[str, str]]:
-        """A warning: words, and the amount."""
+        """A warning: its text, and the amount."""
         raise NotImplementedError
 
     def png(self) -> bytes:
-        """The content of a .png file that shows it. Raises `Error` where it cannot be drawn."""
+        """The content of a .png file that shows the result. Raises `Error` if it cannot be drawn."""
         raise NotImplementedError
 
     def plot(self) -> None:
-        """Show a picture of it: in a notebook below the cell, otherwise in a window until that is closed.
-
-        Raises `Error` where there is neither, or nothing to be seen: `png` is the picture itself.
+        """Show a picture of the result: in a notebook below the cell, otherwise in a window until that is closed.
+        Raises `Error` if neither is available, or there is nothing to show. `png` returns the picture.
         """
         plot(self.png(), type(self).__name__)
 
@@ -60,7 +59,7 @@ class Result:
         return f"<table><caption>{type(self).__name__}</caption>{rows}</table>{image}"
 
     def _picture(self) -> Optional[str]:
-        """In base64; none where it cannot be drawn, whatever the reason: a table will do."""
+        """The picture in base64; None if it cannot be drawn for any reason: the table suffices."""
         try:
             return base64.b64encode(self.png()).decode("ascii")
         except Exception:  # noqa: BLE001
@@ -68,10 +67,10 @@ class Result:
 
 
 class MeshResult(Result):
-    """The base of those that have data sets of VTK's among their fields: a solid, its boundary, or a surface."""
+    """The base of results with VTK data sets among their fields: a solid, its boundary, or a surface."""
 
     def seen(self) -> dict[str, Any]:
-        """What a picture of it shows, as `draw_panels` takes it."""
+        """The content of its picture, as arguments of `draw_panels`."""
         return {}
 
     def png(self) -> bytes:
@@ -83,7 +82,7 @@ class MeshResult(Result):
 
     @property
     def volume(self) -> float:
-        """The volume of the solid, or else the volume that the surface encloses. In two dimensions the area."""
+        """The volume of the solid, or else of the surface's interior. In two dimensions the area."""
         has_layers = isinstance(getattr(self, "solid", None), LayeredCells)
         return float(self._first_of("boundary" if has_layers else "solid", "boundary", "surface").volume)
 
@@ -94,7 +93,8 @@ class MeshResult(Result):
 
     @property
     def components(self) -> int:
-        """The number of the solid's parts, connected through faces, or else of the surface's, through edges."""
+        """The number of the solid's parts, connected through faces, or else of the surface's parts, connected through
+        edges."""
         return int(self._first_of("solid", "boundary", "surface").components)
 
     def split(self) -> list[Any]:
@@ -102,7 +102,7 @@ class MeshResult(Result):
         return list(self._first_of("solid", "boundary", "surface").split())
 
     def to_pyvista(self) -> Any:
-        """The solid, or where there is none the surface, as PyVista has it, with all arrays, which are shared."""
+        """The solid, or else the surface, as a data set of PyVista, with all arrays, which are shared."""
         return self._first_of("solid", "boundary", "surface").to_pyvista()
 
     def to_trimesh(self) -> Any:
@@ -114,7 +114,7 @@ class MeshResult(Result):
         return self._surface_for("an Open3D TriangleMesh").to_open3d()
 
     def to_stl(self) -> Any:
-        """The boundary or the surface as a mesh.Mesh of numpy-stl, whose coordinates are of single precision."""
+        """The boundary or the surface as a mesh.Mesh of numpy-stl, with coordinates in single precision."""
         return self._surface_for("a mesh.Mesh of numpy-stl").to_stl()
 
     def _surface_for(self, kind: str) -> Any:
@@ -124,7 +124,7 @@ class MeshResult(Result):
         return found
 
     def _first_of(self, *names: str) -> Any:
-        """The first of some fields that it has and that is not empty; else the last that it has."""
+        """The first of some fields that exists and is not empty; else the last that exists."""
         there = [getattr(self, name) for name in names if hasattr(self, name)]
         return next((data for data in there if data.GetNumberOfCells() > 0), there[-1])
 

@@ -51,7 +51,7 @@ from .worst import Place, segments_of, worst_places
 AnyView = Union[View, ViewFromAbove]
 
 FEW_FACETS = 5000
-"""Up to this number each is drawn with its edges."""
+"""Up to this number of facets, each is drawn with its edges."""
 
 LINES: Sequence[tuple[int, Colour]] = (
     (vtkSurfaceDefects.INTERSECTION_CURVE, CROSSING),
@@ -62,13 +62,13 @@ LINES: Sequence[tuple[int, Colour]] = (
 """The drawing order, the last on top."""
 
 WIDTH, THIN, MANY_LINES = 5, 2.5, 2000
-"""Widths of these lines, in pixels; thin if there are many, or they would hide the surface."""
+"""Widths of these lines, in pixels; thin if there are many, so that they do not hide the surface."""
 
 FACETS: Sequence[Colour] = (SOUND, CROSSING_FACETS, TURNED, DUPLICATE)
-"""The colors of facets; a facet of several kinds has the last."""
+"""The colors of facets; a facet of several kinds has the color of the last."""
 
 FAINT = 0.3
-"""How much is seen of lines that are behind something."""
+"""The opacity of hidden lines."""
 
 
 @dataclass
@@ -76,8 +76,8 @@ class Panel:
     """The content of one panel."""
 
     props: list[vtkProp]
-    over: list[vtkProp] = field(default_factory=list)  # seen through everything
-    view: Optional[AnyView] = None  # where it differs from the picture's
+    over: list[vtkProp] = field(default_factory=list)  # visible through everything
+    view: Optional[AnyView] = None  # if it differs from the picture's
 
 
 def kinds_of_facets(marked: vtkPolyData) -> NDArray[np.uint8]:
@@ -101,13 +101,13 @@ def marked_facets(marked: vtkPolyData) -> list[vtkProp]:
             if colour in (SOUND, CROSSING_FACETS):
                 darken_inside(facets)
             if colour == DUPLICATE:
-                nearer(facets)  # than the facets that they repeat
+                nearer(facets)  # darker than the facets that they repeat
             drawn.append(facets)
     return drawn
 
 
 def defect_lines(lines: vtkPolyData, are_behind: bool = False) -> list[vtkProp]:
-    """The lines of a checked surface, a color for each kind; thin and faint as they are seen through it."""
+    """The lines of a checked surface, a color for each kind; thin and faint where the surface hides them."""
     width = WIDTH if len(segments_of(lines)) <= MANY_LINES else THIN
     width, opacity = (width / 2, FAINT) if are_behind else (width, 1)
     parts = [(lines_of(lines, kind), colour) for kind, colour in LINES]
@@ -133,7 +133,7 @@ def defect_panels(marked: vtkPolyData, lines: vtkPolyData, statistics: Mapping[s
 
 
 def labels_seen(marked: vtkPolyData, places: Sequence[Place], side: View, other: View) -> list[vtkProp]:
-    """The letters of the places that one side shows; also of those that neither does."""
+    """The letters of the places that are visible from one side, and of those visible from neither."""
     locator = vtkStaticCellLocator()
     locator.SetDataSet(marked)
     locator.BuildLocator()
@@ -145,7 +145,7 @@ def labels_seen(marked: vtkPolyData, places: Sequence[Place], side: View, other:
 
 
 BEFORE_ITSELF = 1e-4
-"""As near to a place, as a share of the way to the eye, facets do not hide it: they are its own."""
+"""Distance from a place, as a share of the way to the eye, within which facets are its own and do not hide it."""
 
 
 def is_seen(locator: vtkStaticCellLocator, point: NDArray[np.float64], view: View) -> bool:
@@ -173,7 +173,7 @@ def boundary_panel(solid: vtkUnstructuredGrid) -> Panel:
 
 
 def slices_panel(solid: vtkUnstructuredGrid, view: View) -> Panel:
-    """Every other of equal slices, from left to right."""
+    """Every second of equal slices, from left to right."""
     count = f"every other of {2 * SLICES - 1} slices"
     slices = actor(some_slices(solid, view.right), SOLID, edge_colour=EDGES)
     return Panel([slices, title("Its tetrahedra, in slices"), words(count, 0.085)])

@@ -48,7 +48,7 @@ def types_of_cells(grid: Any) -> NDArray[np.uint8]:
 
 
 def unpacked(data_type: type, content: dict[str, Any]) -> Any:
-    """The data set of this type that was `packed`."""
+    """The data set of this type from its `packed` form."""
     data = data_type()
     if content["Points"] is not None:
         points, coordinates = vtkPoints(), _unpacked_array(content["Points"])
@@ -66,20 +66,20 @@ def unpacked(data_type: type, content: dict[str, Any]) -> Any:
 
 
 def vtk_array(values: ArrayLike, kind: Optional[int] = None) -> vtkDataArray:
-    """A copy of numbers as VTK's array, of one of VTK's types. Raises MemoryError where VTK would end the program."""
+    """A copy of numbers as a VTK array of a given type. Raises MemoryError where VTK would end the program."""
     rows = np.ascontiguousarray(values)
     item_size = vtkDataArray.GetDataTypeSize(kind or get_vtk_array_type(rows.dtype))
-    # VTK takes it twice.
+    # VTK allocates it twice.
     np.empty(2 * rows.size * item_size + LEAST_SPARE, np.uint8)
     return numpy_to_vtk(rows, deep=True, array_type=kind)
 
 
 LEAST_SPARE = 1 << 20
-"""Bytes beyond an array's own that there have to be, for what VTK takes beside."""
+"""Bytes that must be free beyond the array's own, because VTK allocates more."""
 
 
 def make_cells(corners: NDArray[np.int64]) -> vtkCellArray:
-    """VTK's cells of a table with the points of each."""
+    """VTK's cells from a table with the points of each."""
     cells = vtkCellArray()
     cells.SetData(corners.shape[1], vtk_array(corners.ravel(), VTK_ID_TYPE))
     return cells
@@ -133,7 +133,7 @@ def _unpacked_array(content: dict[str, Any]) -> vtkAbstractArray:
 
 
 def _packed_attributes(data: vtkFieldData) -> list[tuple[dict[str, Any], int]]:
-    """Each array, and what it is active as (scalars, normals ...); -1 for nothing."""
+    """Each array, and the attribute that it is (scalars, normals ...), or -1."""
     is_active = isinstance(data, vtkDataSetAttributes)
     return [
         (_packed_array(data.GetAbstractArray(index)), data.IsArrayAnAttribute(index) if is_active else -1)

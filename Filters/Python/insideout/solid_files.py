@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of tetrahedra: VTK's own, and those of solvers."""
+"""Files of tetrahedra: VTK's own formats, and those of solvers."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ WRITABLE_SOLIDS = (".msh", ".inp", ".mesh")
 WRITABLE_GRIDS = (GRID, *WRITABLE_SOLIDS, XDMF)
 
 _FITNESS = ("RefusedCells", "PoorCells")
-"""How many cells a solver refuses, and suffers from."""
+"""The numbers of cells that a solver refuses, and of poor cells."""
 
 
 def is_for_solver(path: Path) -> bool:
@@ -42,20 +42,21 @@ def write_result(
     msh_version: MshVersion = "4.1",
     cells_only: bool = False,
 ) -> list[str]:
-    """Write a solid, or where the name has the ending of a surface its watertight boundary. Returns what is worth knowing of the file."""
+    """Write a solid, or its watertight boundary if the name has the ending of a surface. Returns warnings about the
+    file."""
     if ending(path) in WRITABLE_SURFACES:
         return write_surface(outer_boundary(boundary), path)
     return write_solid(solid, path, boundary, msh_version, cells_only=cells_only)
 
 
 def written_beside(path: Path, grid: vtkUnstructuredGrid, boundary: Optional[vtkPolyData]) -> dict[str, str]:
-    """The further files that `write_solid` writes, by what they hold."""
+    """The further files that `write_solid` writes, by their content."""
     has_two = ending(path) == XDMF and boundary is not None and not is_flat(grid)
     return {"tags": boundary_beside(os.fspath(path))} if has_two else {}
 
 
 def check_holds_layers(path: str, has_layers: bool) -> None:
-    """Raise `ArgumentError` unless a file of cells can have prisms, where there are any."""
+    """Raise `ArgumentError` if there are prisms that a file of cells cannot have."""
     if has_layers and ending(path) == XDMF:
         raise ArgumentError(f"{path}: such a file has cells of one type here; write layers as {', '.join((GRID, *WRITABLE_SOLIDS))}")
 
@@ -75,10 +76,9 @@ def write_solid(
     deck: Optional[Deck] = None,
     cells_only: bool = False,
 ) -> list[str]:
-    """Write tetrahedra in any of the formats that have them. No cell is changed.
-
-    Returns what is worth knowing of the file: which cells a solver does not take. `figures` gets their counts. A deck completes
-    an .inp file. `cells_only` leaves boundary and regions away. Raises `Error` that names the file.
+    """Write tetrahedra in any format for them. No cell is changed. Returns warnings of cells that a solver does not
+    take; `figures` gets their counts. A deck completes an .inp file. `cells_only` omits boundary and regions. Raises
+    `Error` that names the file.
     """
     figures = {} if figures is None else figures
     path = os.fspath(path)
@@ -113,13 +113,13 @@ def write_solid(
 
 
 def check_has_groups(path: str) -> None:
-    """Raise `ArgumentError` unless a file of cells has groups, which `cells_only` leaves away."""
+    """Raise `ArgumentError` unless a file of cells has groups that `cells_only` omits."""
     if ending(path) not in WRITABLE_SOLIDS:
         raise ArgumentError(f"{path}: cells_only leaves away the groups of {', '.join(WRITABLE_SOLIDS)} files")
 
 
 def _fitness_of(grid: vtkUnstructuredGrid, path: str, figures: Dict[str, float]) -> list[str]:
-    """The warnings that vtkSolidWriter has for its files."""
+    """The warnings of vtkSolidWriter for its files."""
     measure = vtkSolidQuality()
     measure.SetInputData(grid)
     warnings = in_words_of_python(run(measure))

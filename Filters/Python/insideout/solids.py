@@ -40,9 +40,9 @@ class UnstructuredGrid(Protocol):
 
 
 AnySolid = Union[UnstructuredGrid, Path, Tuple[ArrayLike, ArrayLike], MeshioMesh, Algorithm, AlgorithmOutput]
-"""What every function takes for a solid: a vtkUnstructuredGrid of tetrahedra, of first or second order; the name of a
-.vtu, .msh, .inp or .mesh file; a pair (points, cells) of arrays with three and four columns; a meshio.Mesh; or a VTK
-algorithm, or an output port of one, which is updated."""
+"""The types of solids that every function accepts: a vtkUnstructuredGrid of tetrahedra, of first or second order; the
+name of a .vtu, .msh, .inp or .mesh file; a pair (points, cells) of arrays with three and four columns; a meshio.Mesh;
+or a VTK algorithm, or an output port of one, which is updated."""
 
 
 def as_solid(solid: AnySolid) -> tuple[vtkUnstructuredGrid, list[str]]:

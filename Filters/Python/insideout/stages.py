@@ -25,4 +25,4 @@ UNNAMED = "working"
 """The stage that VTK reports at the very start and end."""
 
 READING, WRITING, DRAWING = "reading", "writing", "drawing"
-"""What only the command does."""
+"""The stages of the command alone."""

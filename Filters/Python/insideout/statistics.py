@@ -27,7 +27,7 @@ GROUPS = {
     "quality": "M(in|ax|inimum|aximum|ean|edian).*|Average|Dihedral|Angle|RadiusEdge|CellsUnder|SurfaceEdgesUnder|Refused|Poor",
     "time and memory": "Seconds|PeakMemory",
 }
-"""By the beginnings of names, as regular expressions: the first that fits."""
+"""Groups by regular expressions for the beginnings of names: the first match counts."""
 
 OTHER = "other"
 
@@ -41,7 +41,7 @@ class Statistics(Dict[str, float]):
 
     @property
     def groups(self) -> dict[str, dict[str, float]]:
-        """The same figures by group, and in it by name."""
+        """The same figures by group and name."""
         groups: dict[str, dict[str, float]] = {group: {} for group in (*GROUPS, OTHER)}
         for name, value in self.items():
             groups[group_of(name)][name] = value

@@ -31,10 +31,10 @@ COUNTS = {
     "InsidePlaces": "inside",
     "SecondsTotal": "seconds",
 }
-"""What tables call the statistics."""
+"""The names of statistics in tables."""
 
 MOST_LISTED = 8
-"""Regions and tags, in a line."""
+"""The largest number of regions or tags in a line."""
 
 CHECK_ROWS = ("Points", "Facets", "OpenEdges", "IntersectingPairs", "Components", "NonManifoldEdges", "InconsistentEdges", "NearPoints")
 COLUMNS = ("InputTriangles", "OpenEdges", "IntersectingPairs", "InsideCells", "InsidePlaces", "Cells", "SecondsTotal")
@@ -92,7 +92,7 @@ def _mass(statistics: Mapping[str, float]) -> list[str]:
 
 
 def _refined(statistics: Mapping[str, float]) -> list[str]:
-    """The result of refining the tetrahedra, if they were refined."""
+    """The result of refinement, if the tetrahedra were refined."""
     if "RefinedCells" not in statistics:
         return []
     cells, added, removed = (_count(statistics[key]) for key in ("RefinedCells", "AddedPoints", "RemovedPoints"))
@@ -117,7 +117,7 @@ def _layers(statistics: Mapping[str, float]) -> list[str]:
 
 
 def _refined_triangles(statistics: Mapping[str, float]) -> list[str]:
-    """The same of triangles in a plane."""
+    """The result of refinement of triangles in a plane."""
     if "RefinedCells" not in statistics:
         return []
     cells, added, cuts = (_count(statistics[key]) for key in ("RefinedCells", "AddedPoints", "SurfacePoints"))
@@ -192,8 +192,8 @@ def _first(words: Iterable[str]) -> str:
 def summary(
     name: str, statistics: Mapping[str, float], volumes: Sequence[float], tags: Mapping[str, int], regions: Sequence[str] = ()
 ) -> list[str]:
-    """The lines that the command ends with: volumes are those of the regions, which have names where there are bodies; tags are
-    told with how many triangles have each."""
+    """The last lines of the command's output: volumes of regions (with names if there are bodies), and triangles per
+    tag."""
     if statistics.get("Dimension", 3) == 2:
         return _planar_summary(name, statistics, volumes, tags)
     count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
@@ -219,7 +219,7 @@ def summary(
 def lines_about_solid(
     statistics: Mapping[str, float], volumes: Sequence[float] = (), tags: Mapping[str, int] = {}, regions: Sequence[str] = ()
 ) -> list[str]:
-    """The solid in lines, without times."""
+    """Lines about the solid, without times."""
     return [
         *_cells(statistics),
         *_topology(statistics),
@@ -260,14 +260,14 @@ def _planar_summary(name: str, statistics: Mapping[str, float], areas: Sequence[
 
 
 def seams(statistics: Mapping[str, float]) -> list[str]:
-    """A note that the boundary does not distinguish copied points at textures' seams."""
+    """A note that the boundary merges points that the input copied along texture seams."""
     copies = int(statistics.get("SeamPoints", 0))
     merged = f"{copies:,} points, copies of others with other texture coordinates or normals, were merged with these"
     return [f"{merged}; --split-seams keeps them all"] if copies > 0 else []
 
 
 def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding], volumes: Sequence[float]) -> list[str]:
-    """The lines that `check` prints: the columns of the thesis's table 8.1, those that are wrong with what that means."""
+    """The lines that `check` prints: the columns of the thesis's table 8.1, with the meaning of each defect."""
     if statistics.get("Dimension", 3) == 2:
         return _planar_check_summary(name, statistics, findings)
     merged = f" ({_count(statistics['MergedPoints'])} merged with others in their place)" if statistics["MergedPoints"] else ""
@@ -312,7 +312,7 @@ def solid_summary(name: str, statistics: Mapping[str, float], findings: Sequence
 
 
 def refinement_summary(name: str, statistics: Mapping[str, float]) -> list[str]:
-    """The lines that `refine` ends with."""
+    """The last lines of `refine`."""
     return [
         f"Solid {name}",
         *_refined(statistics),
@@ -345,7 +345,7 @@ def boolean_summary(names: Sequence[str], expression: str, statistics: Mapping[s
 
 
 def table(jobs: Sequence[tuple[str, Mapping[str, float], str]], done: int, wanted: int) -> list[str]:
-    """A line per surface, with its file, statistics and result in words; and the number of successes."""
+    """A line per surface with its file, statistics and result, and a line with the number of successes."""
     columns = [key for key in COLUMNS if any(key in statistics for _, statistics, _ in jobs)]
     widths = [max(11, len(COUNTS[key])) for key in columns]
     width = max(len(file) for file, _, _ in jobs)

@@ -70,12 +70,13 @@ class StlMesh(Protocol):
 PointsAndTriangles = Tuple[ArrayLike, ArrayLike]
 
 AnySurface = Union[PolyData, Path, PointsAndTriangles, MeshioMesh, Trimesh, Open3DMesh, StlMesh, Algorithm, AlgorithmOutput]
-"""What every function takes for a surface: a vtkPolyData of polygons or strips; the name of a .ply, .obj, .off,
-.stl, .vtp, .glb or .3mf file; a pair (points, triangles) of arrays with three columns; a meshio.Mesh; an object with
-`vertices` and `faces`, as a trimesh.Trimesh; a TriangleMesh of Open3D, or a mesh.Mesh of numpy-stl; or a VTK algorithm, or an output port of one, which is updated."""
+"""The types of surfaces that every function accepts: a vtkPolyData of polygons or strips; the name of a .ply, .obj,
+.off, .stl, .vtp, .glb or .3mf file; a pair (points, triangles) of arrays with three columns; a meshio.Mesh; an object
+with `vertices` and `faces`, as a trimesh.Trimesh; a TriangleMesh of Open3D, or a mesh.Mesh of numpy-stl; or a VTK
+algorithm, or an output port of one, which is updated."""
 
 _POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}
-"""How meshio's types of cells that are one begin, and how many corners they have; behind these are midpoints."""
+"""The beginnings of meshio's names of polygon types, and their numbers of corners, which midpoints may follow."""
 
 
 def as_surface(surface: AnySurface, scale: float = 1) -> tuple[vtkPolyData, list[str]]:
@@ -131,7 +132,7 @@ def _surface_of_trimesh(mesh: Any) -> tuple[TriangleSurface, list[str]]:
 
 
 def is_stl(thing: Any) -> bool:
-    """Whether it is a stl.mesh.Mesh, which is a mapping, too, from nothing that has a name."""
+    """Whether it is a stl.mesh.Mesh, which is a mapping, too, but without names as keys."""
     return has(thing, "vectors", "normals")
 
 
@@ -148,7 +149,7 @@ def _surface_of_stl(mesh: Any) -> tuple[TriangleSurface, list[str]]:
 
 
 def make_surface(points: ArrayLike, *polygons: ArrayLike, names: tuple[str, str] = ARRAYS) -> TriangleSurface:
-    """A surface of points and polygons: arrays of as many columns as the polygons have corners."""
+    """A surface of points and polygons: arrays with a column for each corner."""
     offsets, corners = [np.zeros(1, np.int64)], [np.zeros(0, np.int64)]
     for block in polygons:
         rows = table_of(names[1], block, np.int64)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tags by functions of centers and normals: they become cell arrays of the surface, which rules name."""
+"""Tags by functions of centers and normals: their values become cell arrays of the surface, which rules name."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def with_functions_as_arrays(surface: vtkPolyData, options: Options) -> tuple[vt
 
 
 def without_arrays_of_functions(output: vtkDataObject) -> None:
-    """Take these arrays from an output."""
+    """Remove these arrays from an output."""
     data = output.GetCellData()
     for name in [data.GetArrayName(index) for index in range(data.GetNumberOfArrays())]:
         if name and name.startswith(_PREFIX):

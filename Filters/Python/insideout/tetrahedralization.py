@@ -33,15 +33,15 @@ from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
 
 @dataclass(frozen=True)
 class Region:
-    """A part of a solid, with density 1 and in the surface's units. See the array `RegionId` for which cells it has."""
+    """A region of a solid, with density 1 and in the surface's units. The array `RegionId` says which cells it has."""
 
     volume: float
-    """In two dimensions its area; the inertia is 0 then."""
+    """The volume; in two dimensions the area, with inertia 0."""
     center_of_mass: Tuple[float, float, float]
     inertia: Tuple[float, float, float, float, float, float]
     """xx, yy, zz, xy, yz and xz about its own center of mass: xx is the integral of y^2 + z^2, xy that of -x y."""
     bodies: Tuple[str, ...] = ()
-    """The names of the bodies that it is of, where there are bodies."""
+    """The names of its bodies, if there are bodies."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -52,8 +52,9 @@ class Tetrahedralization(MeshResult):
     """
 
     solid: Union[Tetrahedra, Triangles]
-    """The tetrahedra inside, with `w` and `RegionId` per cell, parted and refined where that was asked for. Empty, with a warning, when
-    nothing is inside; and with `surface_only`, as the hull is. With `layers` it is a `LayeredCells`."""
+    """The tetrahedra inside, with `w` and `RegionId` per cell, separated and refined as requested. Empty, with a
+    warning, if nothing is inside; and empty, as the hull is, with `surface_only`. With `layers` it is a
+    `LayeredCells`."""
     boundary: Union[TriangleSurface, Polylines]
     """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle.
     With several bodies the interfaces between regions follow: see `RegionIds`."""
@@ -64,17 +65,18 @@ class Tetrahedralization(MeshResult):
     statistics: Statistics
     """Counts, the range of w, seconds per stage and peak memory in MiB, by name."""
     left_out_cells: list[int]
-    """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
+    """The cells of the surface with facets that could not be resolved; hardly ever any."""
     turned_cells: list[int]
     """The cells of the surface that the orientation turned over."""
     lost_cells: list[int]
-    """The cells of the surface that the mesh does not follow, all or in part; hardly ever any."""
+    """The cells of the surface with facets that the mesh does not follow; hardly ever any."""
     warnings: list[str]
     """Warnings about the input, one line each."""
 
     @property
     def verdict(self) -> str:
-        """Whether the surface bounds a solid, in one sentence: the verdict of `check`, but with the volume of the cells."""
+        """One sentence: whether the surface bounds a solid, as the verdict of `check`, but with the volume of the
+        cells."""
         return verdict(self.statistics)
 
     def is_planar(self) -> bool:
@@ -83,13 +85,13 @@ class Tetrahedralization(MeshResult):
 
     @property
     def regions(self) -> list[Region]:
-        """By their `RegionId`: the parts of the solid that faces connect; where there are bodies, what `region_rule` says. None
-        where no tetrahedra were made."""
+        """The regions in the order of `RegionId`: parts connected through faces, or with several bodies as
+        `region_rule` says. None if no tetrahedra were made."""
         if self.is_planar():
             fields = self.hull.GetFieldData()
             areas, centers = (vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Area", "CenterOfMass"))
             return [Region(area, (x, y, z), (0.0,) * 6) for area, (x, y, z) in zip(areas, centers)]
-        # The solid tells the volume enclosed by a remeshed boundary; an empty solid has no regions.
+        # A solid with a remeshed boundary has its own volume; an empty solid has no regions.
         fields = (self.solid if self.solid.GetFieldData().HasArray("RegionVolume") else self.hull).GetFieldData()
         if not fields.HasArray("RegionVolume"):
             return []
@@ -118,9 +120,9 @@ class Tetrahedralization(MeshResult):
 
     @property
     def tags(self) -> dict[str, NDArray[np.int64]]:
-        """The triangles of the boundary that have each tag, by its name: groups, materials or solids of the surface, or
-        the tags in `tag_array`; triangles that close a hole have the name "hole". With several bodies the names are the
-        regions on both sides, as "bone|fat" and "fat|outside"."""
+        """The triangles of the boundary with each tag, by its name: groups, materials or solids of the surface, or the
+        tags in `tag_array`; triangles that close a hole have the tag "hole". With several bodies a name has the regions
+        on both sides, as "bone|fat" and "fat|outside"."""
         names = strings_of(self.boundary.GetFieldData().GetAbstractArray("BoundaryTagNames"))
         of_triangle = vtk_to_numpy(self.boundary.GetCellData().GetArray("BoundaryTag"))
         return {name: np.flatnonzero(of_triangle == tag) for tag, name in enumerate(names)}
@@ -152,9 +154,9 @@ class Tetrahedralization(MeshResult):
 
         There is a block of cells for each region and tag. `gmsh:physical` and `gmsh:geometrical` of cells are RegionId
         and BoundaryTag plus 1; `gmsh:dim_tags` of points are the entities that they lie on. field_data has the number
-        and dimension of each group by name, as meshio reads them from a .msh file. An array of only one of the two is
-        NaN at the other's cells, or -1, or 0 if it is unsigned. FacetIds, of four components, becomes FacetIds_0 to _3,
-        because few formats support four.
+        and dimension of each group by name, as meshio reads them from a .msh file. An array that only one of the two
+        has is NaN (-1 for integers, 0 for unsigned ones) at the other's cells. FacetIds, of four components, becomes
+        FacetIds_0 to _3, because few formats support four.
         """
         if is_boundary_alone(self.solid, self.boundary):
             raise Error("the mesh has the solid's cells, and surface_only left these away")
@@ -170,19 +172,19 @@ def tetrahedralize(
     output: Optional[Path] = None,
     progress: Optional[Progress] = None,
 ) -> Tetrahedralization:
-    """Tetrahedra of the solid that a surface most likely means; or, of lines or polygons in a plane, triangles.
+    """Tetrahedra of the solid that a surface most likely means; for lines or polygons in a plane, triangles.
 
-    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...;
-              or a dict of such by their names, which are the bodies of one mesh
-    output    the file to write the result to, as `write` does. Where it is for a solver (.msh, .inp, .mesh, .xdmf) the
-              cells are refined, unless refine is False. A warning says that nothing is inside, where no file is written
-    progress  called with the stage and the fraction of all the work that is done; what it
+    surface   any type of surface that `insideout` accepts: a vtkPolyData, a file's name, a pair (points, triangles)
+              ...; or a dict of surfaces by name, which are the bodies of one mesh
+    output    the file to write the result to, as `write` does. Cells for a solver (.msh, .inp, .mesh, .xdmf) are
+              refined, unless refine is False. If nothing is inside, a warning says so and no file is written
+    progress  called with the stage and the fraction of all the work that is done; an exception that it
               raises stops the work and is raised
 
     {options}
 
     Omitted options have the defaults of vtkRobustTetrahedralize and of its stages. Returns a `Tetrahedralization`.
-    Raises `Error` with one line that names what is wrong.
+    Raises `Error` with one line that names the culprit.
     """
     options = Options.among(locals())
     makes_layers = options.makes_layers()
@@ -241,7 +243,7 @@ def tetrahedralize(
 
 
 def _triangulator(options: Options, polygons: vtkPolyData, body_array: Optional[str]) -> Tuple[vtkRobustTriangulate, list[str]]:
-    """The filter for triangles in a plane, and its warnings. Raises `Error` for options that only tetrahedra have."""
+    """The filter for triangles in a plane, and its warnings. Raises `Error` for options of tetrahedra alone."""
     algorithm = vtkRobustTriangulate()
     left_out = options.left_out_by(algorithm)
     if body_array:
@@ -257,7 +259,7 @@ def _triangulator(options: Options, polygons: vtkPolyData, body_array: Optional[
 
 
 def _copy_of(output: vtkDataObject) -> Any:
-    """An output that a further run of its filter does not change."""
+    """A copy of an output that another run of its filter does not change."""
     copy = output.NewInstance()
     copy.ShallowCopy(output)
     return copy

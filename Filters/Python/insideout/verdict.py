@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether a surface bounds a solid: the sentence with which `check` and every run begin."""
+"""The verdict: the sentence with which `check` and every run begin."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ MOST_LINES = 10
 
 
 def verdict(statistics: Mapping[str, float]) -> str:
-    """Whether the surface bounds a solid, in one sentence, by the statistics of vtkSurfaceDefects or of a filter that makes
-    a solid. Statistics of a solid give its volume."""
+    """One sentence on whether the surface bounds a solid, from the statistics of vtkSurfaceDefects or of a filter that
+    makes a solid. Statistics of a solid give its volume."""
     return vtkSurfaceDefects.GetVerdictOf(fields_of(statistics))
 
 
 def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
-    """More about the solid and what is none, one line each."""
+    """Further lines about the solid and the parts that enclose nothing."""
     kinds = (("ClosedShells", "closed"), ("HoledShells", "with holes"), ("Membranes", "membrane"), ("SheetShells", "sheet"))
     shells = [
         f"{int(statistics[name]):,} {words}{'s' if words in ('membrane', 'sheet') and statistics[name] != 1 else ''}"
@@ -45,12 +45,12 @@ def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
 
 
 def in_few_lines(lines: Sequence[str], most: int = MOST_LINES) -> list[str]:
-    """At most `most` lines: the last one summarizes all others."""
+    """At most `most` lines; the last one summarizes the rest."""
     return [*lines] if len(lines) <= most else [*lines[: most - 1], "; ".join([lines[most - 1], *(line.strip() for line in lines[most:])])]
 
 
 def volumes_of_shells(volumes: Sequence[float], most: int) -> list[str]:
-    """The largest volumes in at most `most` lines, the last of which may count the others. Empty for one shell."""
+    """The largest volumes in at most `most` lines; the last one may count the rest. Empty for one shell."""
     order = sorted(range(len(volumes)), key=lambda shell: (-abs(volumes[shell]), shell))
     if len(order) < 2:
         return []

@@ -15,18 +15,18 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from .data import corners_of
 
 PANEL_WIDTH, HEIGHT = 800, 900
-WIDTH_USED, HEIGHT_USED = 0.92, 0.77  # of a panel; the rest is for words
+WIDTH_USED, HEIGHT_USED = 0.92, 0.77  # share of a panel; the rest is for text
 FLAT_HEIGHT_USED = 0.7
 
-PLACES, SQUARES = 20000, 48  # for an outline: places on the surface, seen through this number of squares each way
-EVEN_STEPS = (0.7548776662466927, 0.5698402909980532)  # multiples of these, modulo 1, fill a square evenly
+PLACES, SQUARES = 20000, 48  # squares per direction that rasterize the outline of sample points
+EVEN_STEPS = (0.7548776662466927, 0.5698402909980532)  # their multiples, modulo 1, fill a square evenly
 VERY_FLAT = 1 / 3  # of its lesser width
 MUCH_LONGER = 1.1
-STEEP = 0.9  # an axis whose part along a plane's normal is larger is no way up in it
+STEEP = 0.9  # an axis with a larger component along a plane's normal is not up in it
 
 
 def places_on(points: NDArray[np.float64], corners: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Places spread evenly over triangles, the same at each call."""
+    """Points spread evenly over triangles, the same at each call."""
     a, b, c = (points[corner] for corner in corners.T)
     summed = np.cumsum(np.linalg.norm(np.cross(b - a, c - a), axis=1))
     k = np.arange(PLACES)
@@ -38,19 +38,17 @@ def places_on(points: NDArray[np.float64], corners: NDArray[np.int64]) -> NDArra
 
 
 def shown(places: NDArray[np.float64], size: NDArray[np.float64], axis: int) -> float:
-    """The area of the outline that is seen along an axis."""
+    """The area of the outline seen along an axis."""
     across = np.delete(size, axis)
     squares = np.floor(np.delete(places, axis, axis=1) / np.where(across > 0, across, 1) * SQUARES)
     return len(np.unique(squares, axis=0)) / SQUARES**2 * float(np.prod(across))
 
 
 class View:
-    """Where a surface is seen from: the side that shows most, a little from the right and from above.
-
-    Up is as given, or else y, as in most files but STL's, or z if the surface is longer along it by a tenth. The chosen
-    side has the largest outline of the four sides, and of the top if the surface is very flat. Between two opposite
-    ones, more points in front of the center decide: that side has more detail.
-    """
+    """The camera of a surface: at the side that shows most, a little to the right and above. Up is as given, or else y,
+    as in most formats but STL, or z if the surface is longer along z by a tenth. The chosen side has the largest
+    outline of the four sides, and of the top if the surface is very flat. The one of two opposite sides with more
+    points in front of the center is chosen, because it has more detail."""
 
     def __init__(self, surface: vtkPolyData, up: Optional[str] = None):
         bounds = np.array(surface.GetBounds()).reshape(3, 2)
@@ -77,7 +75,7 @@ class View:
         self._look_from(1)
 
     def from_behind(self) -> View:
-        """The opposite camera, from above, too."""
+        """The opposite camera, also from above."""
         other = copy.copy(self)
         other._look_from(-1)
         return other
@@ -113,9 +111,8 @@ class View:
 
 
 class ViewFromAbove:
-    """Where what lies in a plane is seen from: straight, so that triangles run counter-clockwise.
-
-    Up is what it is told, or else y, or z in a plane without y; in any case as near as the plane allows.
+    """The camera of planar data: perpendicular, so that triangles run counter-clockwise. Up is as given, or else y, or
+    z in a plane perpendicular to y; in any case as near as the plane allows.
     """
 
     def __init__(self, flat: vtkPolyData, up: Optional[str] = None):
@@ -142,7 +139,7 @@ class ViewFromAbove:
 
 
 def _normal(points: NDArray[np.float64], corners: NDArray[np.int64]) -> NDArray[np.float64]:
-    """That of triangles, or of the plane of points, along the axis that it is nearest to."""
+    """The normal of triangles, or of the plane of points, oriented along the nearest axis."""
     if len(corners):
         a, b, c = (points[corner] for corner in corners.T)
         normal = np.cross(b - a, c - a).sum(axis=0)

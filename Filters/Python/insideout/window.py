@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A window that shows a picture until it is closed, as a program, for it needs a display.
+"""A program with a window that shows a picture until it is closed; it needs a display.
 
     python3 -m insideout.window PICTURE.png TITLE
 """

@@ -29,10 +29,10 @@ DIGITS = 4
 class Place(NamedTuple):
     """The place of a defect."""
 
-    statistic: str  # that counts the like
+    statistic: str  # statistic with the count
     text: str
     point: NDArray[np.float64]
-    where: str  # the point, in as many digits as the surface's size asks for
+    where: str  # the point, with digits according to the surface's size
 
 
 def worst_places(marked: vtkPolyData, lines: vtkPolyData) -> list[Place]:

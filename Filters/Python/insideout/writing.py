@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`write`: results as files, for VTK, solvers and other programs. The ending of a file's name says what it holds."""
+"""`write`: results as files, for VTK, solvers and other programs. The ending of a file's name decides its format."""
 
 from __future__ import annotations
 
@@ -26,33 +26,35 @@ def write(
     msh_version: MshVersion = "4.1",
     cells_only: bool = False,
 ) -> None:
-    """Write a result, a surface, tetrahedra or a grid of distances, whole or not at all; the ending of the file's name says how.
+    """Write a result, a surface, tetrahedra or a grid of distances, whole or not at all. The file name's ending decides
+    the format.
 
-    data         what `tetrahedralize` or `sdf_grid` gave, or a surface or tetrahedra of VTK's
+    data         a result of `tetrahedralize` or `sdf_grid`, or a surface or tetrahedra of VTK
     path         the file's name
-    boundary     of tetrahedra alone, for solvers: the triangles of their boundary, with tags; without them
-                 the faces of one cell are a group. A result brings its own
+    boundary     for tetrahedra alone, for solvers: the triangles of their boundary, with tags; without it the faces of
+                 one cell are a group. A result has its own
     msh_version  of .msh files: "4.1", or "2.2" for programs that know no other
-    cells_only   leave boundary and regions away: one block of nodes and one of elements
+    cells_only   omit boundary and regions: one block of nodes and one of elements
 
-    .vtu               VTK's own: tetrahedra with all arrays. Names in field data become names of components, for
+    .vtu               VTK's own: tetrahedra with all arrays. Names in field data become names of components, because
                        meshio reads no strings there
     .msh, .inp, .mesh  for gmsh, for CalculiX and Abaqus, and for Medit: tetrahedra by regions and the boundary's
-                       triangles by tags, with their names (the VTK class vtkSolidWriter says how)
-    .xdmf              tetrahedra with all arrays, for FEniCS; FacetIds and the like as FacetIds_0 to _3. NAME_boundary.xdmf
-                       gets the boundary's triangles, with the same points and BoundaryTag as the first array
+                       triangles by tags, with their names (see the VTK class vtkSolidWriter)
+    .xdmf              tetrahedra with all arrays, for FEniCS; FacetIds and the like as FacetIds_0 to _3.
+                       NAME_boundary.xdmf gets the boundary's triangles, with the same points and BoundaryTag as the
+                       first array
     .vtp, .ply, .stl, .obj, .off, .glb, .3mf
-                       a surface; of a result the solid's watertight boundary, without interfaces between bodies
+                       a surface; for a result the solid's watertight boundary, without interfaces between bodies
 
-    .npz               of `sdf_grid`, for numpy: distance, inside, origin, spacing and to, by these names
-    .nrrd              the same distances with their place in space, as medical images have it
+    .npz               a result of `sdf_grid`, for numpy: distance, inside, origin, spacing and to, by these names
+    .nrrd              the same distances with their position in space, as medical images have it
     .vti               VTK's own: an image with the arrays Distance and Inside
 
-    Triangles in a plane go to .vtu and .xdmf, and their boundary, which is polylines, to .vtp.
+    Triangles in a plane are written as .vtu or .xdmf, and their boundary, which is polylines, as .vtp.
 
-    An earlier file stays as it was until the new one is on the disk. No cell is changed: a warning counts those of a file for a
-    solver (.msh, .inp, .mesh, .xdmf) that it would refuse or suffer from, and names what helps. Warns, too, where the floats of a .stl or .glb file make
-    triangles meet that did not, or points nearly meet. Raises `Error` that names the file.
+    An earlier file stays until the new one is on the disk. No cell is changed. For files of solvers (.msh, .inp, .mesh,
+    .xdmf) a warning counts refused and poor cells, and names the option that helps. Another warning says that the
+    floats of a .stl or .glb file make triangles meet, or points nearly meet. Raises `Error` that names the file.
     """
     path = path_of("path", path)
     if boundary is not None and not isinstance(boundary, vtkPolyData):

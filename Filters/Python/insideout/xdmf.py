@@ -19,16 +19,16 @@ from .pipeline import Error, strings_of, write_bytes
 XDMF = ".xdmf"
 
 _TOPOLOGIES = {"tetra": "Tetrahedron", "tetra10": "Tetrahedron_10", "triangle": "Triangle", "triangle6": "Triangle_6"}
-"""What XDMF calls meshio's kinds of cells."""
+"""XDMF's names of meshio's cell types."""
 
 
 def boundary_beside(path: str) -> str:
-    """The file of the boundary that belongs to one of cells."""
+    """The file of the boundary that belongs to a file of cells."""
     return f"{os.path.splitext(path)[0]}_boundary{XDMF}"
 
 
 def write_xdmf(grid: Union[Tetrahedra, Triangles], path: str, boundary: Optional[vtkPolyData] = None) -> None:
-    """Write cells; and tetrahedra's boundary, whose triangles have the points of the cells, into a file beside."""
+    """Write cells, and next to them a file with the boundary of tetrahedra, by the same points."""
     try:
         _write(path, grid.points, grid.kind(), grid.cells, grid.cell_arrays, "RegionId", grid.point_arrays)
         if boundary is None or not isinstance(grid, Tetrahedra):
@@ -52,13 +52,13 @@ def _write(
     point_arrays: Mapping[str, NDArray],
     names: Optional[list[str]] = None,
 ) -> None:
-    """One grid. `first` is the cell array that comes before all others: FEniCS takes the first for tags."""
+    """One grid. `first` is the cell array to write first: FEniCS takes the first for tags."""
     cells = scalars_and_vectors(cell_arrays)
     ordered = {name: cells[name] for name in sorted(cells, key=lambda name: name != first)}
     arrays = [("Cell", name, values) for name, values in ordered.items()]
     arrays += [("Node", name, values) for name, values in scalars_and_vectors(point_arrays).items()]
     mapped = "".join(f'<map key={_quoted(name)} dim="2">{tag}</map>' for tag, name in enumerate(names or []))
-    information = f'<Information Name="Information" Value="1"><![CDATA[<main>{mapped}</main>]]></Information>'  # as meshio has it
+    information = f'<Information Name="Information" Value="1"><![CDATA[<main>{mapped}</main>]]></Information>'  # meshio's name
     shape = f'NumberOfElements="{len(nodes)}" NodesPerElement="{nodes.shape[1]}"'
     lines = [
         '<Xdmf Version="3.0"><Domain><Grid Name="Grid">',
@@ -77,7 +77,7 @@ def _attribute(center: str, name: str, values: NDArray) -> str:
 
 
 def _item(values: NDArray) -> str:
-    """Numbers with all their digits."""
+    """Numbers with all digits."""
     kind = {"f": "Float", "i": "Int", "u": "UInt"}[values.dtype.kind]
     wide = values.astype(float if kind == "Float" else values.dtype)
     precision = 8 if kind == "Float" else values.dtype.itemsize
@@ -88,5 +88,6 @@ def _item(values: NDArray) -> str:
 
 
 def _quoted(name: str) -> str:
-    """A name as an attribute; characters that XML cannot have are spaces. Nothing ends a CDATA: > is escaped."""
+    """A name as an attribute; characters that XML cannot have become spaces. > is escaped, so that nothing ends a CDATA
+    section."""
     return quoteattr(re.sub("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", " ", name))

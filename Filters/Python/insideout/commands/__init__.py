@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command `insideout` does: a module for each of its subcommands."""
+"""The subcommands of `insideout`, a module for each."""

@@ -37,7 +37,7 @@ class BooleanJob(Job):
         self.check_merging()
 
     def goes_without_cells(self) -> bool:
-        """Whether the result's surface is written alone."""
+        """Whether only the result's surface is written."""
         return ending(self.files.output or "") in WRITABLE_SURFACES
 
     def work(self) -> None:

@@ -50,7 +50,7 @@ class CheckJob(Job):
 
 
 class SolidCheckJob(Job):
-    """One run that checks a solid, and draws it on request."""
+    """One run that checks a solid, and on request draws it."""
 
     stages = CHECK_SOLID
     readable = READABLE_SOLIDS

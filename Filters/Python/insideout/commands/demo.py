@@ -38,7 +38,7 @@ COMMANDS = (
     ("insideout query places.csv broken.ply inside.csv", "which places are inside"),
     ("insideout mesh outline.csv outline.vtu", "triangles of an outline with a gap and crossings"),
 )
-"""What to try, and what it makes; they may run in any order, but for ccx, which needs the bracket's cells."""
+"""Commands to try, and their results; they may run in any order, except for ccx, which needs the bracket's cells."""
 
 
 def contents() -> dict[str, bytes]:
@@ -55,9 +55,8 @@ def contents() -> dict[str, bytes]:
 
 
 def write_demo(folder: str) -> list[str]:
-    """Write the files into a folder, which is made where it is missing. Returns their names.
-
-    Raises `Error`, and writes nothing, where one would replace a file that is not of this program.
+    """Write the files into a folder, which is made if it is missing. Returns their names. Raises `Error`, and writes
+    nothing, if one would replace a file of another program.
     """
     made = contents()
     for name, content in made.items():

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`insideout draw`: a picture or a page of a surface and its solid, or only of its defects.
-
-Solids are drawn when they are checked.
+"""`insideout draw`: a picture or a page of a surface and its solid, or only of its defects. Pictures of solids are
+drawn by check.py.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ from .mesh import MeshJob
 
 
 def write_marks(job: Job, checked: Check) -> None:
-    """Write the file with the defects, on request."""
+    """On request write the file with the defects."""
     if job.files.marked is not None:
         work_on(job.files.marked)
         write_marked(checked, job.files.marked)
@@ -33,7 +32,7 @@ def write_marks(job: Job, checked: Check) -> None:
 
 
 class DrawJob(MeshJob):
-    """One run that makes tetrahedra for a picture, and writes only the defects besides."""
+    """One run that makes tetrahedra for a picture, and writes only picture and defects."""
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {**super().endings(), "marked": MARKED_FILES}

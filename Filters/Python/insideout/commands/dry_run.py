@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`--dry-run`: what the input is, about how much work it will be, and what would be written."""
+"""`--dry-run`: a description of the input, an estimate of the work, and the files that would be written."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .mesh import MeshJob
 
 
 class DryRun(Job):
-    """One run that looks at what another is given, which is checked but not run."""
+    """One run that checks the input and options of another run."""
 
     def __init__(self, planned: Job):
         super().__init__(planned.options, planned.files)
@@ -67,7 +67,7 @@ class DryRun(Job):
             self.warnings.append(f"{path}: {words}")
 
     def to_be_written(self) -> dict[str, str]:
-        """The files by what they would hold."""
+        """The files by their content."""
         output = "surface" if ending(self.files.output or "") in WRITABLE_SURFACES else "winding" if self.options.points else "solid"
         named = {"output": output, "plot": "picture"}
         paths = {name: getattr(self.files, name) for name in FILE_OPTIONS}

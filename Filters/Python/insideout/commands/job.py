@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What all commands do alike: check names, show progress, write a report, and tell what went wrong in one line."""
+"""Common work of all commands: check names, show progress, write a report, and report an error in one line."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from ..verdict import verdict
 from ..version import __version__
 
 SUCCESS, FAILURE = 0, 1
-"""The exit status; beside USAGE_ERROR, and those of signals."""
+"""Exit statuses, besides USAGE_ERROR and those of signals."""
 
 
 class Job:
-    """The command's work on one surface, and its results so far."""
+    """The work of a command on one surface, and its results so far."""
 
     stages: Sequence[str] = ()
     readable: tuple[str, ...] = READABLE_SURFACES
@@ -67,14 +67,14 @@ class Job:
         self.status = max(self.status, self.attempt(self.write_report))
         if self.options.json:
             print_lines([json.dumps(self.report(), allow_nan=False)])
-        elif "SecondsTotal" in self.statistics and not self.options.quiet:  # the work came to its end
+        elif "SecondsTotal" in self.statistics and not self.options.quiet:  # the work was completed
             self.print_summary()
         if self.error is not None:
             self.print_error(self.error)
         return self.status
 
     def attempt(self, *tasks: Callable[[], None]) -> int:
-        """Do these. Returns the exit status; of several errors the first is kept."""
+        """Call these functions. Returns the exit status; the first of several errors is kept."""
         try:
             for task in tasks:
                 task()
@@ -93,7 +93,7 @@ class Job:
         return status
 
     def check(self) -> None:
-        """Raise `Error` for whatever can be known to fail before the work begins."""
+        """Raise `Error` for failures that can be detected before the work begins."""
         files = self.files
         if files.report is not None:
             check_output(files.report, (".json",))
@@ -110,20 +110,22 @@ class Job:
         self.is_working = True
 
     def check_merging(self) -> None:
-        """Raise `Error` where the solid's file takes a boundary whose triangles are no faces of its tetrahedra any more."""
+        """Raise `Error` if the solid's file needs a boundary whose triangles are faces of its tetrahedra, and merging
+        prevents that."""
         output = self.files.output or ""
         if self.settings.merge_coplanar_pieces and is_for_solver(output):
             raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
 
     def naming(self, error: str) -> str:
-        """The error of the work, with the surface's name before it where it names no file."""
+        """The error of the work, prefixed with the surface's name if it names no file."""
         files = self.files
         paths = [path for path in (*files.surfaces(), self.options.points, *files.outputs()) if path not in (None, "-")]
         names = [files.name(), *paths, *map(os.path.basename, paths)]
         return error if any(name in error for name in names) else f"{files.name()}: {error}"
 
     def check_last_name(self) -> None:
-        """Raise `Error` where OUTPUT was forgotten: where the last file could be an input, and nobody says that it is to be replaced."""
+        """Raise `Error` if OUTPUT was probably forgotten: the last file could be an input, and no option allows
+        replacing it."""
         path = self.files.output or ""
         is_told = self.options.force or self.options.is_output_told
         could_be_input = ending(path) in (*self.readable, *QUERIES) and ending(path) in MARKED
@@ -131,16 +133,16 @@ class Job:
             raise Error(f"{path} bears no mark of insideout; to replace it, name it behind -o or give --force")
 
     def check_parameters(self) -> dict[str, Any]:
-        """The parameters that the work will use. Raises `Error` for one out of range."""
+        """The parameters of the work. Raises `Error` for one out of range."""
         raise NotImplementedError
 
     def parameters_of(self, names: Sequence[str], algorithm: Any) -> dict[str, Any]:
-        """Those of some names, which the algorithm has."""
+        """The parameters with some names, which the algorithm has."""
         self.settings.measured_on().set_on(algorithm)
         return {name: OPTIONS[name].used_by(algorithm, getattr(self.settings, name)) for name in names}
 
     def measure_lengths(self, *all_data: vtkPointSet) -> None:
-        """Lengths in percent become numbers, now that what they are shares of was read."""
+        """Convert lengths in percent to numbers, after the input was read."""
         measured = self.settings.measured_on(*all_data, factor=self.settings.factor())
         for name in LENGTHS:
             length, given = getattr(measured, name), getattr(self.settings, name)
@@ -150,7 +152,7 @@ class Job:
         self.settings = measured
 
     def endings(self) -> dict[str, tuple[str, ...]]:
-        """The endings that the file of each option may have."""
+        """The possible endings of the file of each option."""
         return {}
 
     def work(self) -> None:
@@ -160,7 +162,7 @@ class Job:
         raise NotImplementedError
 
     def result(self) -> str:
-        """What came out, in a few words."""
+        """The result in a few words."""
         return self.error or self.success()
 
     def success(self) -> str:
@@ -168,7 +170,7 @@ class Job:
 
     @contextmanager
     def reading(self) -> Iterator[None]:
-        """Shows and times what is read within it."""
+        """Show and time the reading within the block."""
         began = time.monotonic()
         self.bars.show(READING, 0)
         yield
@@ -186,7 +188,7 @@ class Job:
         return surface
 
     def read_bodies(self) -> dict[str, vtkPolyData]:
-        """All surfaces, by the names of bodies."""
+        """All surfaces by the names of bodies."""
         bodies = {name: self.read_one(path) for name, path in self.files.bodies().items()}
         self.measure_lengths(*bodies.values())
         return bodies
@@ -221,7 +223,7 @@ class Job:
         self.statistics["PeakMemory"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
     def write_report(self) -> None:
-        """Write the report, if asked to and possible."""
+        """Write the report, if requested and possible."""
         if not self.report_is_writable or self.files.report is None:
             return
         work_on(self.files.report)
@@ -249,7 +251,7 @@ class Job:
         return {}
 
     def print_error(self, message: str) -> None:
-        """One line, which says of which surface it is where there are several."""
+        """Print one line, with the surface's name if there are several."""
         surface = self.files.surface
         print_error(f"{surface}: {message}" if self.options.several and surface not in message else message)
 
@@ -271,12 +273,13 @@ def print_lines(lines: Sequence[str]) -> None:
     try:
         print("\n".join(lines), flush=True)
     except OSError:
-        # Nobody reads on (`| head`). The files are written, and Python is not to complain on exit.
+        # The reader has closed the pipe (`| head`). The files are written, and Python must not complain on exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _without_infinities(value: Any) -> Any:
-    """The same for JSON, which has none: None in place of what is beyond all doubles, as the volume of 1e110 cubed."""
+    """The values for JSON, which has no infinity and NaN: None in their place, as for the volume of a cube of side
+    1e110."""
     if isinstance(value, dict):
         return {key: _without_infinities(one) for key, one in value.items()}
     if isinstance(value, (list, tuple)):
@@ -289,4 +292,4 @@ def print_error(error: str) -> None:
         print(f"insideout: {error}", file=sys.stderr, flush=True)
         told()
     except OSError:
-        pass  # the exit status says it
+        pass  # the exit status reports it

@@ -88,7 +88,7 @@ class MeshJob(Job):
                 raise Error(f"{taking}: takes tetrahedra, which --surface-only goes without")
 
     def goes_without_cells(self) -> bool:
-        """Whether nothing is written that has tetrahedra, or depends on them."""
+        """Whether no output has tetrahedra or depends on them."""
         files = self.files
         tells = files.hull or files.plot or files.report or self.options.json
         return self.settings.surface_only or ending(files.output or "") in WRITABLE_SURFACES and not tells
@@ -123,7 +123,7 @@ class MeshJob(Job):
             raise Error(f"{self.files.name()}: nothing is inside, w ranges from {least:.6g} to {most:.6g}")
 
     def write(self, surface: vtkPolyData, result: Tetrahedralization) -> None:
-        """Write the requested files; if nothing is inside, only the hull and the picture."""
+        """Write the requested files; only hull and picture if nothing is inside."""
         began = time.monotonic()
         self.bars.show(WRITING, 0)
         for kind, data, path, write in self.files_to_write(result):
@@ -139,7 +139,7 @@ class MeshJob(Job):
             self.bars.show(DRAWING, 0)
             marks = {name: getattr(self.settings, name) for name in CHECK_OPTIONS}
             work_on(self.files.plot)
-            # If the solid is cells of the hull it need not be written twice.
+            # A solid of cells of the hull need not be written twice.
             solid = result.solid if self.settings.refines() or self.settings.parts() else None
             title = os.path.basename(self.files.name())
             draw(surface, result.hull, self.files.plot, solid=solid, title=title, up=up_of(self.files.surface), **marks)
@@ -159,7 +159,7 @@ class MeshJob(Job):
             return write_solid(solid, path, result.boundary, version, self.statistics, self.deck, bool(self.options.cells_only))
 
         def write_hull(hull: Tetrahedra, path: str) -> None:
-            write_solid(hull, path, msh_version=version)  # no option changes its cells: advice on them is left out
+            write_solid(hull, path, msh_version=version)  # no option changes its cells, so advice on them is omitted
 
         if files.hull is not None:
             yield "hull", result.hull, files.hull, write_hull

@@ -21,7 +21,7 @@ from .job import Job
 
 
 class QueryJob(Job):
-    """One run that evaluates winding numbers at places of the user's."""
+    """One run that evaluates winding numbers at the user's points."""
 
     stages: Sequence[str] = WINDING
 

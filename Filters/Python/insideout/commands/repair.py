@@ -12,7 +12,7 @@ from .mesh import MeshJob
 
 
 class RepairJob(MeshJob):
-    """One run that makes tetrahedra only if the boundary requires them."""
+    """One run, with tetrahedra only if the boundary requires them."""
 
     def __init__(self, options: argparse.Namespace, files: Files):
         super().__init__(options, files)
