@@ -13,7 +13,7 @@
 
 namespace insideout
 {
-/** What of the surface a Steiner point lies on. */
+/** The segment or facets that a Steiner point lies on. */
 struct PointSupport
 {
   Id Segment = None;      ///< that the point is within, None for none
@@ -43,7 +43,7 @@ struct ExactState
   std::vector<Triangle> Facets;
   SegmentTable Segments;
   Monitor* Progress;
-  std::mt19937 Random; ///< one for all that is done, so that no try is like another
+  std::mt19937 Random; ///< one generator for all attempts, so that no two are alike
 
   /** Scratch of the operator at work, kept for its memory. */
   struct
@@ -78,8 +78,8 @@ struct ExactState
   /** The facets that have one of the points, or a cell within this number of cells of it. */
   std::set<Id> FacetsAround(const std::vector<Id>& points, int rings) const;
 
-  /** Let facets go: no face is a piece of them any more, and flips may change what was. So are the
-   * segments that no facet has which is there. */
+  /** Release facets: no face is a piece of them any more, and flips may change their former pieces.
+   * So are the segments that no facet has which is there. */
   void LetGo(const std::set<Id>& facets);
 };
 } // namespace insideout

@@ -8,38 +8,39 @@
 
 namespace insideout
 {
-/** What TetrahedralizeExactly gives; AssembleMesh tells which facets are lost. */
+/** The result of TetrahedralizeExactly; AssembleMesh finds the lost facets. */
 struct ExactTetrahedralization
 {
   /** Cells of positive volume, exactly, that fill the convex hull. */
   RawTetrahedra Tetrahedra;
 
-  /** How much was done for this mesh, the same on every machine (WorkBudget). */
+  /** The work on this mesh, the same on every machine (WorkBudget). */
   std::int64_t Work = 0;
 };
 
 /**
  * Tetrahedra of the convex hull of points in which every facet is a union of faces. All decisions
- * are exact and none depends on a tolerance. README.md beside this file tells the steps, and why
- * they end.
+ * are exact and none depends on a tolerance. README.md beside this file describes the steps, and
+ * why they end.
  *
  * It begins with the Delaunay tetrahedralization of the points. Edges of facets that are not there
- * are recovered by flips (Flips.h), then the facets between them. Steiner points that lie
- * exactly on a facet or segment cut into the mesh whatever flips do not recover; this always works.
- * They are removed again, or moved into the volume, after each cut, and once more after flips at
- * random around them; what is left on the surface is rounded to doubles where exact tests allow it.
- * Facets that have points without a place in doubles are let go together with those around. All of
- * these are recovered in another order, as long as that takes no more work than all the rest.
+ * are recovered by flips (Flips.h), then the facets between them. Constraints that flips do not
+ * recover are cut into the mesh by Steiner points that lie exactly on the facet or segment; this
+ * always works. They are removed again, or moved into the volume, after each cut, and once more
+ * after random flips around them. The rest on the surface is rounded to doubles if exact tests
+ * allow it. Facets with points that cannot be rounded are released together with their neighbors.
+ * All of these are recovered in another order, as long as that takes no more work than all the
+ * rest.
  *
- * It ends, for work is limited. Thread-safe, and deterministic: the same input gives the same mesh
- * on every machine, however busy, for all limits are counts of work and none is time.
+ * It ends, for work is limited. Thread-safe and deterministic: the same input gives the same mesh
+ * on every machine, because all limits are counts of work, not times.
  *
  * @param[in] points finite, spanning space. Where several are equal the first stands for all
  * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
  *            lie within one of their edges. A facet that breaks this is lost
  * @param[in] monitor hears the phases by name (Phases.h), and a fraction that only grows
- * @param[in] workPerElement for each point and facet (WorkBudget). When it is done nothing is cut
- *            any more, and what is missing then is lost. The default is some 4 ms for each; of 150
+ * @param[in] workPerElement for each point and facet (WorkBudget). When it is used up nothing is
+ * cut any more, and missing facets are lost. The default is some 4 ms for each; of 150
  *            real surfaces one took three tenths of it, and the others at most a tenth
  * @throws Error Planar, Inconsistent, Stopped
  */

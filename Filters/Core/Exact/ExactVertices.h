@@ -20,8 +20,8 @@ class ExactVertices
 {
 public:
   /**
-   * Up to three doubles in the affine hull of which a vertex lies, the last again in place of those
-   * that are not needed: of a Steiner point, the ends of its segment or the corners of its facet.
+   * Up to three points in doubles whose affine hull contains a vertex, the last one repeated if
+   * fewer suffice: for a Steiner point the ends of its segment or the corners of its facet.
    */
   using Span = std::array<Id, 3>;
 
@@ -73,12 +73,12 @@ public:
 
   bool IsDouble(Id vertex) const { return this->ExactOf[vertex] == None; }
 
-  /** The doubles nearest to a vertex, or at most a few units in the last place beside them. */
+  /** The doubles nearest to a vertex, up to a few units in the last place. */
   Point Nearest(Id vertex) const;
 
   void MoveTo(Id vertex, const Point& point);
 
-  /** Keep a journal from now on: GoBack makes the vertices what they are now. */
+  /** Start a journal, with which GoBack restores the present vertices. */
   void StartJournal();
   void EndJournal() { this->Past = Journal(); }
   void GoBack();
@@ -91,7 +91,7 @@ private:
   struct ExactPoint
   {
     std::array<DyadicNumber, 4> Coordinates;
-    std::array<double, 3> Beyond; ///< to be added to the place in doubles
+    std::array<double, 3> Beyond; ///< correction of the position in doubles
     Span Within;
   };
 

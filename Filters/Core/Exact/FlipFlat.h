@@ -8,9 +8,9 @@ namespace insideout
 {
 /**
  * Flips in a plane: where two faces in one plane are a strictly convex quadrilateral, its other
- * diagonal takes the place of their common edge, whatever is above and below. The cells around the
- * edge are two sectors, one on each side of the plane (FillSectors); a sector that no corner sees
- * all of gets a new point in the volume.
+ * diagonal replaces their common edge, regardless of the cells above and below. The cells around
+ * the edge are two sectors, one on each side of the plane (FillSectors); a sector that no corner
+ * sees all of gets a new point in the volume.
  */
 
 /** Flip one edge. @return whether that was possible; p and q are then the ends of the new one */

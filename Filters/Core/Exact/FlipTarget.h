@@ -6,13 +6,12 @@
 namespace insideout
 {
 /**
- * What flips shall clear the way for, a segment or a facet: it counts how much an edge or a face is
- * in its way.
+ * The target of flips, a segment or a facet: it counts the obstacles among edges and faces.
  */
 class FlipTarget
 {
 public:
-  /** Nothing is in the way of no target. */
+  /** Without a target there are no obstacles. */
   explicit FlipTarget(const FlippableMesh& mesh)
     : Mesh(mesh)
   {

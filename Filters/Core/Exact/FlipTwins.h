@@ -6,9 +6,8 @@
 namespace insideout
 {
 /**
- * Where a Steiner point beside its exact place splits a facet, the whole facet may be a face, too:
- * its *twin*. Readers of the mesh cannot tell which of both is the facet: flip that face away where
- * possible.
+ * If a Steiner point near its exact position splits a facet, the whole facet may be a face, too:
+ * its *twin*. Readers of the mesh cannot distinguish the two: flip the twin away where possible.
  */
 void FlipTwinsAway(ExactState& state);
 } // namespace insideout

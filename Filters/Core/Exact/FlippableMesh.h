@@ -30,8 +30,8 @@ class FlippableMesh : public Mesh<HullPolicy>
 public:
   /**
    * The Delaunay tetrahedralization of points that span space.
-   * @param[out] same for each point the first one at the same place: the vertex that stands for it
-   * @param[in] work what is done with the mesh is counted there; it has to live as long as the mesh
+   * @param[out] same for each point the first coincident one: the vertex that represents it
+   * @param[in] work counts the work on the mesh; it has to live as long as the mesh
    * @throws Error Planar, Stopped
    */
   FlippableMesh(
@@ -56,7 +56,7 @@ public:
   /** A cell with the three vertices and its face across from the fourth, if they are a face. */
   bool FindFace(Id a, Id b, Id c, Id& cell, int& face) const;
 
-  /** For each of the triangles the face that it is, with Cell None for those that are none. */
+  /** The face that coincides with each triangle, with Cell None if there is none. */
   std::vector<MeshFace> FindFaces(const std::vector<Triangle>& triangles) const;
 
   /** Mesh::Replace, without other facets than before. */
@@ -66,16 +66,15 @@ public:
   void SplitCell(Id cell, Id vertex);
 
   /**
-   * Connect a vertex that lies on an edge with what is around the edge. The faces at the edge are
-   * pieces of no facet then: where they were, whoever splits says so anew (SetFacet).
+   * Connect a vertex that lies on an edge with the cells around the edge. The faces at the edge are
+   * then pieces of no facet: the caller has to set their facets again (SetFacet).
    */
   void SplitEdge(const EdgeRing& ring, Id vertex);
 
-  /** Let a face be a piece of a facet, or of none. */
+  /** Set the facet of a face, or None. */
   void SetFacet(Id cell, int face, Id facet);
 
-  /** Let the face that three vertices are, if they are one, be a piece of a facet, if there is one.
-   */
+  /** Set the facet of the face with three vertices, if both exist. */
   void MarkFace(Id a, Id b, Id c, Id facet);
 
   /** One of four vertices that span space that is not in the plane of three others. */
@@ -93,22 +92,22 @@ public:
     this->AllVertices.ForgetExactly([this](Id vertex) { return this->HasVertex(vertex); });
   }
 
-  /** Give a vertex another place, where all cells around it have to stay positive. */
+  /** Move a vertex to a position where all cells around it stay positive. */
   void MoveVertex(Id vertex, const Point& place) { this->AllVertices.MoveTo(vertex, place); }
 
-  /** From now on it is known how to go back to what the mesh is. */
+  /** Start a journal, with which GoBack restores the present mesh. */
   void StartJournal();
 
-  /** Stay with what the mesh is. */
+  /** End the journal and keep the mesh. */
   void EndJournal();
 
-  /** Make the mesh what it was when the journal began. */
+  /** Restore the mesh at the start of the journal. */
   void GoBack();
 
   /** How many times Replace or Touch was called. */
   std::int64_t NumberOfChanges() const { return this->Own.Changes; }
 
-  /** Take what is around a vertex as changed, where no cell but a constraint has. */
+  /** Mark the surroundings of a vertex as changed, because a constraint has, but no cell. */
   void Touch(Id vertex)
   {
     this->RecordVertex(vertex, this->Own);

@@ -10,7 +10,7 @@
 
 namespace insideout
 {
-/** What a flip may cost: it is done if it leaves at most this much more in the way than before. */
+/** The cost limit of a flip: it may add at most this number of obstacles. */
 struct FlipLimits
 {
   int Increase = -1;
@@ -25,9 +25,9 @@ struct FlipEffort
 {
   FlipLimits Limits;
   int Depth;  ///< levels of edges that may go before it, to make its ring smaller
-  int Budget; ///< how many of these are tried
+  int Budget; ///< number of attempts
 
-  /** The work (WorkBudget) beyond which none is tried any more. */
+  /** The work (WorkBudget) after which attempts end. */
   std::int64_t EndOfWork = std::numeric_limits<std::int64_t>::max();
 };
 
@@ -38,9 +38,9 @@ constexpr FlipEffort PlainFlips = { { -1, 10 }, 0, 0 };
  * The flips: take a face or an edge out of a mesh, and choose of all ways to do so one that leaves
  * least in the way of a target. Constraints that are there stay.
  *
- * An edge with n cells around it goes by triangulating the ring of n points, of which every
- * triangle becomes two cells (Freitag and Ollivier-Gooch 1997); the best triangulation is found by
- * dynamic programming (Klincsek 1980).
+ * An edge with n cells around it is removed by triangulating the ring of n points; every triangle
+ * becomes two cells (Freitag and Ollivier-Gooch 1997); the best triangulation is found by dynamic
+ * programming (Klincsek 1980).
  */
 
 /** Take the face across from corner `face` away: two cells become three. */
@@ -54,17 +54,17 @@ bool RemoveEdge(
 /**
  * The same; if that fails, first make the ring smaller by removing edges between it and u or v,
  * down to the effort's depth.
- * @param[in,out] budget how many more edges may be tried
+ * @param[in,out] budget remaining number of edges to try
  */
 bool RemoveEdgeDeeply(
   ExactState& state, Id u, Id v, const FlipTarget& target, const FlipEffort& effort, int& budget);
 
 /**
- * Recover constraints by flips that leave less in the way each time, and a few of what is left by
- * deeper ones. What these leave, cuts recover in less time.
+ * Recover constraints by flips that reduce the obstacles each time, and a few of the remaining ones
+ * by deeper flips; cuts recover the rest faster.
  * @param[in] missing the constraints, in the order in which they are tried
- * @param[in] constraints how many there are in all, that the work may be in proportion with
- * @param[in] recover called with a constraint and an effort; says whether the mesh has it then
+ * @param[in] constraints their total number, to which the work is proportional
+ * @param[in] recover called with a constraint and an effort; returns whether the mesh has it then
  * @return the ones that are still missing, in the same order
  */
 std::vector<Id> RecoverInRounds(const ExactState& state, std::vector<Id> missing,

@@ -16,7 +16,7 @@ namespace insideout
 {
 /**
  * Insert points into a triangulation of CGAL's whose vertices have an id for information, in an
- * order that goes from each to one near by. A vertex gets the lowest id of the points in its place.
+ * order that goes from each to one near by. A vertex gets the lowest id of coincident points.
  *
  * @param[in] check called every now and then with the share of the points that is inserted; may
  *            throw

@@ -7,9 +7,8 @@ namespace insideout
 {
 /**
  * The phases of the exact engine, in the order in which it first comes there, with each phase's
- * share of the progress: about its share of the time on real surfaces. What comes again and again
- * within others takes none. Several phases come anew where facets are lost; the progress waits
- * meanwhile.
+ * share of the progress: about its share of the time on real surfaces. Phases that repeat within
+ * others have no share. If facets are lost, several phases are repeated, without progress.
  */
 struct Phases
 {

@@ -12,7 +12,7 @@ namespace insideout
  * the hull may be triangulated another way.
  *
  * Points of CAD models are (nearly) cospherical: more than one mesh is (nearly) Delaunay. This
- * chooses the one that facets need: the pulling triangulation (Lee 1991).
+ * chooses the one with the facets: the pulling triangulation (Lee 1991).
  *
  * Others behind a facet or segment are passed over. The mesh stays as it is where the cone would
  * break a constraint, or add more than one cell per two segments: flips add one for each.

@@ -10,7 +10,7 @@ namespace insideout
 /** The segments without Steiner points that are no edges. */
 std::vector<Id> FindMissingSegments(const ExactState& state, const std::vector<Id>& segments);
 
-/** Connect vertices with all that they lack at once, those that lack most first. */
+/** Connect each vertex with all missing neighbors at once, the vertices that lack most first. */
 std::vector<Id> RecoverSegmentsByPulls(ExactState& state, const std::vector<Id>& missing);
 
 /** Recover segments by flips alone. */
@@ -25,8 +25,8 @@ enum class SplitFrom
 
 /**
  * Recover segments with Steiner points that lie exactly on them. Each is put where the segment
- * passes through a cell or over an edge, so nothing that is there goes, and what is left to do gets
- * less: this fails on no segment that passes through no vertex.
+ * passes through a cell or over an edge, so nothing is lost and the rest shrinks: this fails only
+ * on segments that pass through a vertex.
  */
 std::vector<Id> RecoverSegmentsBySplits(
   ExactState& state, const std::vector<Id>& missing, SplitFrom from);

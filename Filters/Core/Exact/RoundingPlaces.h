@@ -6,12 +6,12 @@
 namespace insideout
 {
 /**
- * Places in doubles for a Steiner point, the ones first that leave it nearest to what it lies on:
- * on its segment exactly, its nearest doubles, beside the segment, around, and all along the
+ * Candidate positions in doubles for a Steiner point, those nearest to its segment or facet first:
+ * exactly on its segment, its nearest doubles, beside the segment, around, and all along the
  * segment. The cells around need not stay positive there.
  */
 std::vector<Point> PlacesFor(const ExactState& state, Id point);
 
-/** Places all along the way between two vertices, each a little aside, too. */
+/** Positions along the edge between two vertices, also a little beside it. */
 std::vector<Point> PlacesBetween(const FlippableMesh& mesh, Id u, Id v);
 } // namespace insideout

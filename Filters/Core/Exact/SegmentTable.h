@@ -12,7 +12,7 @@ namespace insideout
 {
 /**
  * The edges of facets, each once, and where Steiner points split them. Steiner points have higher
- * ids than all corners of facets. Copies share what never changes.
+ * ids than all corners of facets. Copies share the constant data.
  */
 class SegmentTable
 {
@@ -45,10 +45,10 @@ public:
   /** Take a Steiner point out again. */
   void Join(Id segment, Id steiner);
 
-  /** Let a segment go, which no facet needs any more. */
+  /** Release a segment that no facet needs any more. */
   void Release(Id segment);
 
-  /** Have a segment again, without Steiner points, that was let go. */
+  /** Reinstate a released segment, without Steiner points. */
   void Restore(Id segment);
 
   /** The points before and after a Steiner point. */

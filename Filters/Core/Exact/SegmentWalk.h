@@ -21,9 +21,9 @@ struct Crossing
   Id V;
 };
 
-/** What the segment from a to b crosses first. */
+/** The first face, edge or vertex that the segment from a to b crosses. */
 Crossing FirstCrossing(const FlippableMesh& mesh, Id a, Id b);
 
-/** What it crosses after a face or an edge. */
+/** The next one that it crosses after a face or an edge. */
 Crossing NextCrossing(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing);
 } // namespace insideout

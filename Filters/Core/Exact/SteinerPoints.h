@@ -9,8 +9,8 @@ namespace insideout
 constexpr int ShakesWithoutGain = 12;
 
 /**
- * Among the Steiner points from `first` on, replace those on facets by points beside them, where
- * the mesh cannot do without, and then remove what it can do without: in the volume that is more.
+ * Replace Steiner points from `first` on that lie on facets by points beside these, if they are
+ * needed; then remove those that are not needed, which are more in the volume.
  * @param[in] since points around which nothing has changed since (FlippableMesh::NumberOfChanges)
  *            stay as they are
  */

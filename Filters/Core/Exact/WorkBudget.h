@@ -7,9 +7,9 @@
 namespace insideout
 {
 /**
- * How much work is done, and how much may be. Its unit is about one predicate that doubles decide,
- * some 10 ns. Unlike time it is the same on every machine, however busy: what ends by it ends with
- * the same mesh each time.
+ * The work done, and its limit. Its unit is about one predicate that doubles decide, some 10 ns.
+ * Unlike time it is the same on every machine: a run that ends by it ends with the same mesh each
+ * time.
  */
 class WorkBudget
 {
