@@ -33,7 +33,7 @@ Number InRange(vtkObject* owner, const char* option, Number value, Number least,
 }
 } // namespace vtkInsideOut
 
-/** Setter and limits of an option, as by vtkSetClampMacro, which does not warn. */
+/** Setter and limits of an option. Unlike vtkSetClampMacro, the setter warns when it clamps. */
 #define vtkInsideOutSetRangeMacro(name, type, least, most)                               \
   virtual void Set##name(type value)                                                     \
   {                                                                                      \

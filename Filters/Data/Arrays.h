@@ -20,7 +20,7 @@ namespace vtkInsideOut
 /**
  * The number of points of a data set, checked to fit Id.
  *
- * @param[in] name what the data set is, for the error
+ * @param[in] name of the data set in errors
  * @throws insideout::Error TooLarge, also for its cells
  */
 std::vector<insideout::Point> ReadPoints(vtkDataSet* input, const std::string& name);

@@ -101,8 +101,8 @@ std::vector<insideout::Id> AlikePoints(
  * The concatenated data of several data sets. A missing array is NaN there (0 in integer arrays,
  * empty in others), except for active normals, which are left out with a warning; numbers of
  * different types become doubles. Arrays of one name that mix strings and numbers, or have
- * different numbers of components, stay separate as DATA/ARRAY. An array that is active in the
- * first that has it is active.
+ * different numbers of components, stay separate as DATA/ARRAY. An array is active if it is in the
+ * first data set that has it.
  *
  * @param[in] names of the data sets
  * @param[in] first the first tuple of each, and the end

@@ -25,9 +25,9 @@ struct LayeredSolid
 };
 
 /**
- * The triangles of a boundary where they are now: those with layers as they were, others behind the
- * layers, and in between the sides of layers, quads as two triangles. These have the data of a
- * triangle of their facet; new points those of the point of the wall that they are behind.
+ * The triangles of the new boundary: those with layers unchanged, others moved behind the layers,
+ * and between them the sides of layers, quads as two triangles. Sides have the data of a triangle
+ * of their facet; new points the data of the wall's point in front of them.
  */
 vtkSmartPointer<vtkPolyData> BoundaryWithLayers(vtkPolyData* boundary, const LayeredSolid& solid);
 } // namespace vtkInsideOut

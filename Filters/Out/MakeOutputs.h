@@ -43,7 +43,7 @@ public:
     const insideout::TetrahedralMesh& mesh,
     const std::vector<insideout::BoundaryTriangle>& boundary);
 
-  /** The same with several points at one place where one would not be manifold. */
+  /** The same with copies of points that would not be manifold. */
   vtkSmartPointer<vtkPolyData> MakeManifoldBoundary(const insideout::HullMesh& hull,
     const insideout::TetrahedralMesh& mesh, const insideout::ManifoldSurface& manifold,
     const std::vector<insideout::BoundaryTriangle>& boundary);
@@ -60,8 +60,8 @@ public:
     const std::vector<insideout::BoundaryTriangle>& boundary,
     const std::vector<insideout::Id>& turned, std::initializer_list<const char*> added);
 
-  /** The same with several points at one place where the input's triangles differ in texture
-   * coordinates or normals, or where triangles with point data cross. Can be stopped. */
+  /** The same with copies of points where the input's triangles differ in texture coordinates or
+   * normals, or where triangles with point data cross. Can be stopped. */
   vtkSmartPointer<vtkPolyData> MakeSeamedBoundary(const insideout::HullMesh& hull,
     const std::vector<insideout::BoundaryTriangle>& boundary, insideout::Monitor& monitor,
     const insideout::ProgressRange& progress);

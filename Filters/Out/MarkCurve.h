@@ -8,7 +8,7 @@
 
 namespace vtkInsideOut
 {
-/** vtkSurfaceDefects's number of the first CurveDefect: lines of surfaces have those before it. */
+/** vtkSurfaceDefects's number of the first CurveDefect, after those for lines of surfaces. */
 constexpr int FirstPointType = 4;
 
 /** Outputs, with warnings and statistics. */

@@ -24,10 +24,10 @@ struct SurfaceOptions
   insideout::WindingNumberParameters WindingNumber;
   std::string NonParticipating; ///< cell array, not 0 for cells that do not count
   std::string Areas = "Area";   ///< point array of a cloud; without it areas are estimated
-  bool Distance = false;        ///< whether the distance is wanted, too
+  bool Distance = false;        ///< whether to compute the distance, too
 };
 
-/** The point of a surface nearest to a place. Facets are numbered in the whole surface. */
+/** The point of a surface nearest to a query point. Facets are numbered in the whole surface. */
 struct NearestPoint : insideout::SurfaceDistance::Nearest
 {
   vtkIdType Cell; ///< cell of the input; -1 if the place is not finite
@@ -54,7 +54,7 @@ SurfaceOptions ReadSurfaceOptions(Class* object)
 struct Facets
 {
   insideout::FacetComplex Surface;
-  std::vector<vtkIdType> Cells; ///< of the input, for each facet; none where no distance is asked
+  std::vector<vtkIdType> Cells; ///< of the input, for each facet; empty if no distance is wanted
 
   /** As the constructor of InputWindingNumber. */
   Facets(vtkPolyData* input, const SurfaceOptions& options, insideout::Monitor& monitor,

@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** A body as it was given: a surface, and the numbers that its points and triangles go by. */
+/** A given body: a surface, and the numbers of its points and triangles. */
 struct Body
 {
   std::string Name; ///< for messages; empty for a surface that is given alone
@@ -44,7 +44,7 @@ inline std::string WordsOf(const std::string& body, const std::string& words)
   return body.empty() ? words : "body " + body + ": " + words;
 }
 
-/** Do something with a body; of what it throws the message names the body. */
+/** Call a function on a body; the body's name is added to messages of errors. */
 template <typename Work>
 void InTheNameOf(const std::string& body, const Work& work)
 {

@@ -7,14 +7,14 @@
 
 namespace insideout
 {
-/** What becomes a region where bodies overlap. */
+/** The regions of overlapping bodies. */
 enum class RegionRule
 {
-  Priority, ///< a region for each body; a cell is of the one of its bodies that comes first
+  Priority, ///< a region for each body; a cell in several belongs to the first
   All       ///< a region for each combination of bodies that has cells
 };
 
-/** Regions, and the bodies that they are of. */
+/** Regions, and their bodies. */
 struct BodyRegions
 {
   SolidRegions Regions;
@@ -22,12 +22,12 @@ struct BodyRegions
 };
 
 /**
- * The bodies in the order in which they count: those that are named first, then the others.
+ * The bodies by priority: named ones first, then the others.
  *
  * @param[in] bodies the names of all
  * @param[in] first the names of some
  * @return indices into `bodies`, each once
- * @throws Error InvalidParameter that names what is no body, or is named twice
+ * @throws Error InvalidParameter for an unknown or repeated name
  */
 std::vector<Id> PriorityOf(
   const std::vector<std::string>& bodies, const std::vector<std::string>& first);
@@ -35,16 +35,16 @@ std::vector<Id> PriorityOf(
 /** In which order bodies count on a mesh, and why. */
 struct BodyOrder
 {
-  std::vector<Id> Priority;            ///< from the one that has cells before all others
+  std::vector<Id> Priority;            ///< from the highest priority on
   std::vector<Id> Given;               ///< as PriorityOf gave it
-  std::size_t Named = 0;               ///< how many of these, the first, are named
-  std::vector<std::vector<Id>> Within; ///< of each body, ascending, those nested in it
+  std::size_t Named = 0;               ///< number of named ones, which come first
+  std::vector<std::vector<Id>> Within; ///< for each body the bodies nested in it, ascending
 };
 
 /**
- * The order that is given, but that of two nested bodies which are not named the inner one counts
- * first: the one that has cells, all of which the other has, too, and more. Bodies with the same
- * cells keep their order.
+ * The given order, except that of two nested bodies without a name the inner one counts first. A
+ * body is nested in another one that has all its cells, and more. Bodies with the same cells keep
+ * their order.
  *
  * @param[in] inside of each body, not 0 for the cells that it has
  */
@@ -52,8 +52,8 @@ BodyOrder InnerFirst(const std::vector<std::vector<unsigned char>>& inside,
   const std::vector<Id>& given, std::size_t named);
 
 /**
- * Which region each cell is of. By Priority they have the numbers of the bodies, also of those that
- * others cover whole, so that some may have no cell. With All they are numbered by their bodies in
+ * The region of each cell. With Priority, regions have the numbers of the bodies, including bodies
+ * that are wholly covered; so some may have no cell. With All they are numbered by their bodies in
  * the order of dictionaries: {0}, {0, 1}, {0, 1, 2}, {0, 2}, {1}, ...
  *
  * @param[in] inside of each body, not 0 for the cells that it has

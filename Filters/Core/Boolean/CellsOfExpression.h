@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** What a set expression makes of bodies, in tetrahedra. */
+/** The result of a set expression, in tetrahedra. */
 struct CellsOfExpression
 {
   TetrahedralMesh Mesh;                   ///< of the convex hull of all bodies
@@ -19,19 +19,17 @@ struct CellsOfExpression
 
 /**
  * The cells where a set expression holds, of bodies that may be open: one mesh has the facets of
- * all, and each body a winding number of its own in each cell, and a cut of its own
- * (SegmentBodies).
+ * all, and each body has its own winding number in each cell and its own cut (SegmentBodies).
  *
- * Narrow gaps between bodies are closed first (FillGaps); of the bodies beside one the last gets
- * it.
+ * Narrow gaps between bodies are closed first (FillGaps); each belongs to the last adjacent body.
  *
- * Where all bodies are closed their boundary is SurfaceOfExpression, but for points that the mesh
- * adds. Where all facets lie in one plane there are no cells, with a warning.
+ * If all bodies are closed, the boundary is that of SurfaceOfExpression, except for points that the
+ * mesh adds. Where all facets lie in one plane there are no cells, with a warning.
  *
  * @param[in] bodies one for each of expression.Bodies()
  * @param[in] names of these, for messages
  * @param[in] mergeTolerance of gaps; 0 closes none
- * @throws Error whatever ConstrainedDelaunay, WindingNumbersOfBodies and SegmentBodies throw
+ * @throws Error as ConstrainedDelaunay, WindingNumbersOfBodies and SegmentBodies do
  */
 CellsOfExpression FindCellsOfExpression(const ResolvedBodies& bodies,
   const std::vector<std::string>& names, const SetExpression& expression, double mergeTolerance,

@@ -7,21 +7,21 @@
 namespace insideout
 {
 /**
- * Close narrow gaps between flat faces of bodies, whose points do not face each other. Corners of
- * a facet are moved into the plane of a facet of an earlier body, if all of them lie within the
+ * Close narrow gaps between flat faces of bodies, whose points do not face each other. Corners of a
+ * facet are moved into the plane of a facet of an earlier body, if all of them lie within the
  * tolerance of that plane. The two facets have to lie above each other by more than the tolerance.
  * Points that then coincide up to rounding become one when bodies are resolved together. A point
  * moves by the tolerance at most, and into as many as three planes at once; one that would have to
- * move farther, or that stands in a point of an earlier body, stays. Points of a body that are in
- * one place stay in one.
+ * move farther, or that stands in a point of an earlier body, stays. Coincident points of a body
+ * stay coincident.
  *
- * Gaps that are not of even width, as between round faces that are triangulated differently, stay:
- * FillGaps closes those once there are cells.
+ * Gaps of uneven width, as between round faces with different triangulations, stay: FillGaps closes
+ * them later, by cells.
  *
  * @param[in,out] bodies points may be NaN, and triangles refer to points that are not there: such
- *   triangles are passed over
+ * triangles are passed over
  * @param[in] tolerance above 0
- * @return how many places moved
+ * @return number of positions that moved
  * @throws Error Stopped; some bodies may have moved
  */
 Id CloseGaps(std::vector<Body>& bodies, double tolerance, Monitor& monitor);

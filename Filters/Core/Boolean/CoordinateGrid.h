@@ -22,7 +22,7 @@ public:
   {
   }
 
-  /** Half of the grid's spacing at a coordinate: how far rounding moves it at most. */
+  /** Half of the grid's spacing at a coordinate: the largest rounding error. */
   double RoundingAt(double coordinate) const;
 
 private:
@@ -33,7 +33,7 @@ private:
 /**
  * Find the grid of a body's coordinates. Floats are those that are all floats; decimals are those
  * that need 6 to 9 significant digits, many of them all of these. Coordinates that need fewer
- * digits are taken for floats: nothing tells whether they were rounded.
+ * digits are taken for floats: whether they were rounded is unknown.
  *
  * @param[in] points finite
  * @return nothing where some coordinate needs the digits of a double

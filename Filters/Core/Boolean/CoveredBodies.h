@@ -9,9 +9,10 @@
 namespace insideout
 {
 /**
- * Tell a user what bodies lose to others, and the options that change it: bodies or parts of bodies
- * without a cell; bodies that keep less than half of their volume because others come before them;
- * bodies that come before those within them in vain. No body loses anything with RegionRule All.
+ * Messages about volume that bodies lose to others, with the options that change it: bodies or
+ * parts without a cell; bodies that keep less than half of their volume because of others of higher
+ * priority; bodies whose priority over bodies within them has no effect. No body loses anything
+ * with RegionRule All.
  *
  * @param[in] inside, order, regions as FindBodyRegions took and gave them
  * @param[in] names of all bodies

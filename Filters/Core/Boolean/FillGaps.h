@@ -17,26 +17,25 @@ struct FilledGaps
 };
 
 /**
- * Close narrow gaps between bodies, as between round faces that are triangulated differently: cells
- * of no body that lie in one are given to a body beside it, so that the two share faces.
+ * Close narrow gaps between bodies, as between round faces with different triangulations: free
+ * cells in a gap are given to an adjacent body, so that the two share faces.
  *
  * A cell lies in a gap between two bodies on two conditions. No point of it is farther than the
  * tolerance from the cells of either (StaysNear). Both have faces on its part of the gap: the cells
  * in that gap that faces connect with it. So a dent of one body is no gap, however near another
  * body is behind it. A cell that reaches out of the gap stays outside.
  *
- * The last in the order of the bodies that a cell lies between gets it: those before keep their
- * shape.
+ * A cell goes to the last of the bodies beside it; earlier bodies keep their shape.
  *
  * @param[in] tolerance above 0
  * @param[in] order indices of all bodies
- * @param[in,out] inside of each body, not 0 for the cells that it has; 1 for those that it gets
+ * @param[in,out] inside of each body, not 0 for its cells; set to 1 for cells that it gets
  * @throws Error Stopped
  */
 FilledGaps FillGaps(const TetrahedralMesh& mesh, double tolerance, const std::vector<Id>& order,
   std::vector<std::vector<unsigned char>>& inside, Monitor& monitor);
 
-/** The figures GapCells and GapVolume, and a line where there is something to tell. */
+/** The figures GapCells and GapVolume, and a message if they are not 0. */
 void AddFilledGaps(
   const FilledGaps& filled, Statistics& statistics, std::vector<std::string>& warnings);
 } // namespace insideout

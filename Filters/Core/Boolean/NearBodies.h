@@ -19,10 +19,9 @@ struct NearBodies
 };
 
 /**
- * Find bodies that touch but for a hair's breadth: facets of different bodies lie above each other,
- * within the radius that the resolver snaps in (FindLayers, SnappingRadius). Facets so near that
- * cross have become one; what does not cross stays as it is, for that is exact, though hardly ever
- * what is meant.
+ * Find bodies that nearly touch: facets of different bodies lie above each other, within the radius
+ * that the resolver snaps in (FindLayers, SnappingRadius). Such facets that cross were merged by
+ * the resolver; others stay, which is exact, but hardly ever intended.
  *
  * @return by bodies
  * @throws Error (Stopped)

@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** Whether a rule holds just beside a patch: before and behind PatchPlaces::FacetOf. */
+/** Whether a rule holds on both sides of a patch: in front of and behind PatchPlaces::FacetOf. */
 struct HoldsBeside
 {
   bool Front;

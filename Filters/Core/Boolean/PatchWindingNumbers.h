@@ -9,8 +9,8 @@
 
 namespace insideout
 {
-/** Winding numbers just beside a patch, at one facet of it: before it is where its normal points.
- */
+/** Winding numbers on both sides of a patch, at one of its facets; the normal points to the
+ * front. */
 struct PatchSides
 {
   int Front;
@@ -19,8 +19,8 @@ struct PatchSides
 
 /**
  * The winding numbers of closed chains just beside patches, without any mesh: one exact query in
- * the middle of a patch's largest facet gives the mean of both sides, and how often the facet
- * counts their difference. They are the same all along the patch. From them follows what any set
+ * the middle of a patch's largest facet gives the mean of both sides, and the facet's multiplicity
+ * is their difference. They are the same all along the patch. They decide which patches a set
  * operation keeps (Zhou, Grinspun, Zorin and Jacobson 2016).
  */
 class PatchPlaces
@@ -29,14 +29,14 @@ public:
   /** @param[in] surface resolved: its facets meet in shared points and edges only */
   PatchPlaces(const FacetComplex& surface, const SurfacePatches& patches);
 
-  /** The facet of a patch that its sides are those of: the largest, of several the lowest. */
+  /** The facet that represents a patch: the largest; of several the one of lowest id. */
   Id FacetOf(Id patch) const { return this->Largest[patch]; }
 
   /**
-   * The winding numbers of a chain of the surface's facets beside all patches.
+   * The winding numbers of a chain of the surface's facets on both sides of all patches.
    *
    * @param[in] chain of which the boundary is empty
-   * @param[in] counts one per patch: how often FacetOf it counts in the chain
+   * @param[in] counts one per patch: the multiplicity of its FacetOf in the chain
    * @return one per patch
    * @throws Error (Stopped)
    */

@@ -15,22 +15,22 @@ struct BodyParameters
   insideout::Orientation Orientation = insideout::Orientation::Automatic;
   ThickenParameters Thicken;
 
-  /** How far the faces of two bodies may be apart that touch: 0 for exactly, -1 for as far as the
-   * rounding of their coordinates can part them (TouchBodies). */
+  /** Distance between faces of two bodies up to which they touch: 0 for exact contact, -1 for the
+   * rounding error of their coordinates (TouchBodies). */
   double TouchTolerance = -1;
 };
 
-/** How often a facet counts for one body. */
+/** The multiplicity of a facet for one body. */
 struct BodyCount
 {
   Id Body;
   int Count; ///< along the facet's orientation: w of the body rises by it from front to back
 };
 
-/** What validation and orientation made of one body, before it met the others. */
+/** One body after validation and orientation, before it is resolved with the others. */
 struct CountedBody
 {
-  SurfaceCounts Counts; ///< of a body without facets, which is empty, of what was given alone
+  SurfaceCounts Counts; ///< of the input alone, if the body has no facets
   FacetTurns Turns;     ///< by facets of the body's own chain
   Id ThickenedFacets = 0;
 };
@@ -44,7 +44,7 @@ struct HoledShell
   std::vector<Id> Triangles; ///< of its facets
 };
 
-/** Bodies resolved together. Points and triangles go by the bodies' numbers. */
+/** Bodies resolved together. Points and triangles have the bodies' numbers. */
 struct ResolvedBodies
 {
   /**
@@ -65,16 +65,16 @@ struct ResolvedBodies
   std::vector<Id> SheetTriangles;      ///< of facets that enclose nothing; ascending
   std::vector<HoledShell> HoledShells; ///< of all bodies
   Id IntersectingPairs = 0;            ///< of facets, within bodies and among them
-  Id TouchingPairs = 0;                ///< of bodies that touched but for rounding (TouchBodies)
+  Id TouchingPairs = 0;                ///< of bodies that touched up to rounding (TouchBodies)
   Id TouchMovedPoints = 0;             ///< so that they touch
-  Id NearTriangles = 0;                ///< of bodies that touch but for rounding (FindNearBodies)
+  Id NearTriangles = 0;                ///< of bodies that touch up to rounding (FindNearBodies)
   double SecondsValidate = 0;          ///< until they met
   std::vector<std::string> Warnings;
 
   Id NumberOfBodies() const { return static_cast<Id>(this->Bodies.size()); }
 };
 
-/** By how much w of a body rises from before a facet, where its normal points, to behind it. */
+/** The increase of a body's w from the front of a facet, where its normal points, to the back. */
 inline int CountFor(const ResolvedBodies& bodies, Id facet, Id body)
 {
   for (Id i = bodies.CountOffsets[facet]; i < bodies.CountOffsets[facet + 1]; ++i)
@@ -99,8 +99,8 @@ void AddTouches(const ResolvedBodies& bodies, Statistics& statistics);
  * A single body is the case in which there is nothing to join. A body without facets is empty, with
  * a warning, unless it has no name.
  *
- * @throws Error EmptySurface where no body has a facet, and whatever the stages throw, with the
- *   body's name before it; Stopped
+ * @throws Error EmptySurface if no body has a facet; errors of the stages, prefixed with the body's
+ * name; Stopped
  */
 ResolvedBodies ResolveBodies(
   std::vector<Body> bodies, const BodyParameters& parameters, Monitor& monitor);

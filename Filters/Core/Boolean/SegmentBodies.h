@@ -5,12 +5,12 @@
 
 namespace insideout
 {
-/** What a body's cut goes by, beside the parameters that all have in common. */
+/** The input of a body's cut, besides the common parameters. */
 struct BodyToSegment
 {
   std::string Name;               ///< for messages
   std::vector<double> W;          ///< one finite value per cell
-  std::vector<FacetPiece> Pieces; ///< of the body, those that have to be kept; for ConstrainFacets
+  std::vector<FacetPiece> Pieces; ///< pieces of the body to keep, for ConstrainFacets
   std::vector<Seed> Seeds;
 };
 
@@ -26,7 +26,7 @@ struct BodySegmentation
  * Stage cut for several bodies on one mesh: each is segmented as if it were alone (SegmentMesh), so
  * that several may have a cell.
  *
- * @throws Error whatever SegmentMesh throws, with the body's name before it; Stopped
+ * @throws Error as SegmentMesh does, prefixed with the body's name; Stopped
  */
 BodySegmentation SegmentBodies(const TetrahedralMesh& mesh,
   const std::vector<BodyToSegment>& bodies, const SegmentMeshParameters& parameters,

@@ -11,15 +11,15 @@ namespace insideout
 /** A set expression of several bodies. */
 enum class SetOperation
 {
-  Union,              ///< what is in one of them at least
-  Intersection,       ///< what is in all of them
-  Difference,         ///< what is in the first and in no other
-  SymmetricDifference ///< what is in an odd number of them
+  Union,              ///< points in at least one body
+  Intersection,       ///< points in all bodies
+  Difference,         ///< points in the first and in no other
+  SymmetricDifference ///< points in an odd number of bodies
 };
 
 /**
- * An expression of sets, such as `A - (B | C) ^ D`: which places it holds, by which bodies a place
- * is in.
+ * A set expression, such as `A - (B | C) ^ D`: whether a point is in the result, from the bodies
+ * that it is in.
  *
  * Operators are `|` or `+` (union), `&` (intersection), `-` (difference) and `^` (symmetric
  * difference), with the precedence that they have in Python and C++: `+` and `-` first, then `&`,
@@ -33,27 +33,27 @@ class SetExpression
 public:
   /**
    * @param[in] names of the bodies
-   * @throws Error InvalidParameter that names the column, counted from 1, of what is wrong
+   * @throws Error InvalidParameter that names the column of the mistake, counted from 1
    */
   SetExpression(const std::string& text, const std::vector<std::string>& names);
 
   /** The same operation for a number of bodies. */
   SetExpression(SetOperation operation, Id numberOfBodies);
 
-  /** The bodies that it names, ascending. What it holds depends on no other. */
+  /** The bodies that it names, ascending. The result depends on no other body. */
   const std::vector<Id>& Bodies() const { return this->Named; }
 
-  /** @param[in] isIn one per body of Bodies(): not 0 where the place is in it */
+  /** @param[in] isIn one per body of Bodies(): not 0 if the point is in it */
   bool Holds(const std::vector<char>& isIn) const;
 
 private:
   friend class SetExpressionParser;
   void NumberBodies();
 
-  /** A body to look at, or what to make of the last two results. */
+  /** A body, or the operation on the last two results. */
   struct Step
   {
-    Id Body; ///< which of Named; None for an operation
+    Id Body; ///< index into Named; None for an operation
     SetOperation Operation;
   };
   std::vector<Step> Steps; ///< in reverse Polish notation

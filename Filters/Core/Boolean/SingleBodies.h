@@ -18,6 +18,6 @@ std::vector<char> FindClosedBodies(
 /** Whether no body has a boundary. */
 bool AreClosed(const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges);
 
-/** The facets with what they count for one body: w of the body is that of this complex. */
+/** The facets with their multiplicities for one body: the body's w is that of this complex. */
 FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body);
 } // namespace insideout

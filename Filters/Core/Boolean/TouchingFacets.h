@@ -6,7 +6,7 @@
 
 namespace insideout
 {
-/** Two facets of different bodies that lie on each other, but for a gap. */
+/** Two facets of different bodies that lie on each other, up to a gap. */
 struct TouchingPair
 {
   Id First; ///< of the earlier body
@@ -20,7 +20,8 @@ struct TouchingPair
  * need to be in one plane.
  *
  * @param[in] bodyOf of each facet
- * @param[in] tolerances per facet, negative for those that touch none; that of a pair is the sum
+ * @param[in] tolerances per facet, negative for facets that touch none; the tolerance of a pair is
+ * their sum
  * @return by first, then by second
  * @throws Error (Stopped)
  */

@@ -7,13 +7,13 @@
 namespace insideout
 {
 /**
- * The winding number of each body in each cell of one mesh, as WindingNumberOfCells has it of a
- * body alone: an exact integer where the body is closed, whatever the others are like.
+ * The winding number of each body in each cell of one mesh, the same as by WindingNumberOfCells for
+ * the body alone: an exact integer if the body is closed, regardless of the others.
  *
  * @param[in] mesh made of bodies.Surface
  * @param[in] quadratureOrder 1 to 5, see WindingNumberOfCells
  * @return w of each body, one value per cell
- * @throws Error whatever WindingNumberOfCells throws; Stopped
+ * @throws Error as WindingNumberOfCells does; Stopped
  */
 std::vector<std::vector<double>> WindingNumbersOfBodies(
   const ResolvedBodies& bodies, const TetrahedralMesh& mesh, int quadratureOrder, Monitor& monitor);

@@ -22,7 +22,7 @@ struct WindingVolumes
  *
  * @param[in] surface resolved
  * @return nothing if the surface is open, or a facet was left out in resolving
- * @throws Error (Stopped), or whatever PatchBoundary throws
+ * @throws Error (Stopped), or as PatchBoundary does
  */
 std::optional<WindingVolumes> VolumesWithin(const FacetComplex& surface, Monitor& monitor);
 } // namespace insideout

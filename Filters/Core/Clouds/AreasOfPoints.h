@@ -14,7 +14,7 @@ namespace insideout
  * and Jacobson (2018): the area of the point's Voronoi cell among its nearest neighbors, all
  * projected to the point's tangent plane. Cells are limited to the neighbors' convex hull, so that
  * they do not extend beyond the rim of an open surface. Neighbors face the same way, which excludes
- * the other side of a thin wall. Points at one place share its area.
+ * the other side of a thin wall. Coincident points share their area.
  *
  * @param[in] points finite
  * @param[in] normals one per point, of length 1

@@ -14,7 +14,7 @@ namespace insideout
  * any number of threads.
  *
  * @param[in] cost estimated nanoseconds of one call of body
- * @throws what a body or the monitor throws
+ * @throws exceptions of a body or of the monitor
  */
 template <class Body>
 void ChunkedLoop(

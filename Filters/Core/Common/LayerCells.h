@@ -7,10 +7,10 @@
 
 namespace insideout
 {
-/** Corners as VTK has them: the first triangle is counter-clockwise seen from outside. */
+/** Corners in VTK's order: the first triangle is counter-clockwise seen from outside. */
 using Prism = std::array<Id, 6>;
 
-/** Corners as VTK has them: the base is counter-clockwise seen from the last one. */
+/** Corners in VTK's order: the base is counter-clockwise seen from the last one. */
 using Pyramid = std::array<Id, 5>;
 
 /** Cells of boundary layers that are no tetrahedra. */

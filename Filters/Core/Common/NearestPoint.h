@@ -5,10 +5,10 @@
 
 namespace insideout
 {
-/** The point of a triangle nearest to a place; the triangle may be degenerate. */
+/** The point of a triangle nearest to a query point; the triangle may be degenerate. */
 Point NearestPointOf(const std::array<Point, 3>& triangle, const Point& place);
 
-/** The vector from a box to a place; 0 in the box. */
+/** The vector from a box to a query point; 0 in the box. */
 inline double SquaredDistance(const Box& box, const Point& place)
 {
   double sum = 0;

@@ -6,7 +6,7 @@
 
 namespace insideout
 {
-/** A place in a plane, by two coordinates. */
+/** A point in a plane, by two coordinates. */
 using PlanarPoint = std::array<double, 2>;
 
 /**

@@ -13,7 +13,7 @@ std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const Filtered
 
 /**
  * An axis along which the triangle can be projected: its image in the other two has an area.
- * Preferably the normal's longest component, as far as doubles tell.
+ * Preferably the normal's longest component, as computed in doubles.
  */
 int ProjectionAxis(const FilteredTriangle& triangle);
 

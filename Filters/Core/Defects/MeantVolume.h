@@ -12,9 +12,9 @@ namespace insideout
  * both are sampled.
  *
  * @param[in] surface not all of it in one plane
- * @param[in] multiplicity one per facet: how often it counts once oriented
+ * @param[in] multiplicity one per facet, after orientation
  * @param[in] pairs facets (i, j) with i < j that meet beyond shared corners and edges, sorted
- * @throws Error whatever resolving throws
+ * @throws Error as resolving does
  */
 SampledVolumes FindMeantVolume(const FacetComplex& surface,
   const std::vector<std::int16_t>& multiplicity, const std::vector<std::array<Id, 2>>& pairs,

@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** Unsigned distances of places from a surface; w tells the side. */
+/** Unsigned distances of points from a surface; w decides the side. */
 class SurfaceDistance
 {
 public:
@@ -40,7 +40,7 @@ public:
   Nearest At(const Point& place) const;
 
   /**
-   * At each of several places; the same as one by one.
+   * At each of several points; the same as one by one.
    *
    * @throws Error (Stopped)
    */

@@ -10,8 +10,8 @@
 
 namespace insideout
 {
-/** A face of a cell: of a tetrahedron as TetrahedronFaces has it; of a pyramid the triangle at
- * corners Face and Face + 1 of its base, then the base; of a prism its first or second triangle,
+/** A face of a cell: of a tetrahedron in the order of TetrahedronFaces; of a pyramid the triangle
+ * at corners Face and Face + 1 of its base, then the base; of a prism its first or second triangle,
  * then the quads at its edges 0 to 1, 1 to 2 and 2 to 0. */
 struct CellFace
 {
@@ -112,7 +112,7 @@ struct SolidContent
 
 /**
  * Read a solid from a file of the formats that WriteSolid writes, by the name's ending. Points,
- * cells, names and numbers of groups are those that it wrote; names as changed for the format.
+ * cells, groups and their numbers are those written; names are those changed for the format.
  *
  * - `.msh`: gmsh's format, 4.1 and 2.x, ascii. Groups are the physical ones; if no cell is in one,
  *   the entities that cells lie on. An entity belongs to its first group.
@@ -120,7 +120,8 @@ struct SolidContent
  *   lists of element numbers where each cell is in one list, or where there is nothing else.
  *   Triangles are shells, membranes and plane elements, and the faces of tetrahedra in surfaces.
  *   Other files (*INCLUDE) are not read, with a warning.
- * - `.mesh`: Medit's format, ascii. Groups are the references; their names, WriteSolid's comments.
+ * - `.mesh`: Medit's format, ascii. References become groups, whose names are read from
+ *   WriteSolid's comments.
  *
  * Points and cells are in the order of their numbers; points in no cell are kept. Cells are all
  * quadratic or all linear: if a file has both, midpoints are dropped, with a warning. Other volumes

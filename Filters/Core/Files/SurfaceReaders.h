@@ -76,7 +76,7 @@ public:
   /** Add the color of the next point or polygon: 3 or 4 numbers; anything else is no color. */
   void Add(const std::vector<double>& color);
 
-  /** Whether any point or polygon had a color, or something else in its place. */
+  /** Whether any point or polygon had a color, even an invalid one. */
   bool Any() const { return this->SomeNumbers; }
 
   /**

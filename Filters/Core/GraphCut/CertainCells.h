@@ -10,13 +10,13 @@ namespace insideout
  * are most cells: w jumps across a facet, so that labels that differ there cost nothing, and only
  * near holes do cells of both kinds meet.
  *
- * Let R be cells that are each better inside by more than all their faces to cells outside R. No
- * minimum can lack a part of R: adding it costs at most its faces to cells outside R, and gains
- * more. The largest such R starts as all cells that are better inside; cells outweighed by their
- * faces are removed until there are none. Outside is treated likewise, but equality suffices,
- * because the smallest minimum is wanted. The costs between a certain cell and its neighbors are
- * then decided. The procedure is repeated with the remaining cells, as long as it settles most of
- * them.
+ * Let R be a set of cells, each of which gains more energy by being inside than all its faces to
+ * cells beyond R cost. No minimum can lack a part of R: adding it costs at most its faces to cells
+ * outside R, and gains more. The largest such R starts as all cells that are better inside; cells
+ * outweighed by their faces are removed until there are none. Outside is treated likewise, but
+ * equality suffices, because the smallest minimum is wanted. The costs between a certain cell and
+ * its neighbors are then decided. The procedure is repeated with the remaining cells, as long as it
+ * settles most of them.
  */
 class CertainCells
 {

@@ -13,8 +13,8 @@ struct Segmentation
 
 /**
  * Stage cut: the labelling of the cells that minimizes the energy (CutEnergy.h) and meets the
- * demands, as a minimum cut (Boykov and Kolmogorov 2004); of several minima, that with the fewest
- * inside cells. The same for any number of threads.
+ * demands, as a minimum cut (Boykov and Kolmogorov 2004). Among several minima the one with the
+ * fewest inside cells is taken. The same for any number of threads.
  *
  * The monitor is asked before and after the flow, which itself cannot be interrupted.
  *

@@ -13,7 +13,8 @@ class LabelConstraint
 public:
   virtual ~LabelConstraint() = default;
 
-  /** Whether the constraint stays satisfied wherever it is now if the cell changes its label. */
+  /** Whether a change of the cell's label violates the constraint nowhere where it is satisfied
+   * now. */
   virtual bool Allows(const GreedyLabels& labels, Id cell) = 0;
 
   /** Notification: the cell has changed its label. */

@@ -37,7 +37,7 @@ SeededCells FindSeededCells(const std::vector<Point>& points, const std::vector<
 /**
  * The same in cells of any kind.
  *
- * @param[in] find the cell that contains a place, of several the lowest; None for none
+ * @param[in] find the cell that contains a point; the lowest of several; None for none
  */
 SeededCells FindSeededCells(
   const std::vector<Seed>& seeds, Id numberOfCells, const std::function<Id(const Point&)>& find);

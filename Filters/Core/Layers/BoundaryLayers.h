@@ -13,7 +13,7 @@ struct LayerParameters
 {
   int Layers = 3;
   double FirstHeight = 0; ///< of the layer at the wall
-  double Growth = 1.2;    ///< of a layer's height over that of the one before it
+  double Growth = 1.2;    ///< ratio of a layer's height to that of the layer before
 };
 
 /**
@@ -21,11 +21,11 @@ struct LayerParameters
  * points all layers shrink alike where there is no room for them: in gaps, where the wall is bent,
  * beside faces between regions and the rest of the boundary to 0, so that no two layers meet. Along
  * planar parts of the rest they go on (Sides), and its triangles there get narrower in their plane.
- * A prism with an edge of no length is a pyramid, with two a tetrahedron. All other faces of the
+ * A prism that loses an edge is a pyramid, one that loses two a tetrahedron. All other faces of the
  * boundary and between regions stay.
  *
- * Every cell is positive at its corners, exactly (Orient), each inner face is of two cells, and
- * together they fill the solid. The same result for the same input, always.
+ * Every cell is positive at its corners, exactly (Orient), each inner face belongs to two cells,
+ * and the cells fill the solid. The same result for the same input, always.
  *
  * Statistics: Layers, Prisms, Pyramids, LayerTetrahedra; WallTriangles, WallPoints, of these
  * ReducedPoints, whose layers are lower than asked for, and BarePoints without layers;
@@ -33,12 +33,13 @@ struct LayerParameters
  * three points have full height, and MeanHeightShare, the mean over its area of the share of the
  * height.
  *
- * @param[in] mesh of any solid, as good and as large cells as those behind the layers are to be
+ * @param[in] mesh of any solid, with cells of the quality and size wanted behind the layers
  * @param[in] regions one per cell; empty: all are one
  * @param[in] wall faces without a second cell, 4 * cell + face, each once
- * @param[in] labels per face of each cell: planar parts of the boundary are of one; empty: all are
+ * @param[in] labels per face of each cell, one for each planar part of the boundary; empty: a
+ * single one
  * @throws Error InvalidParameter, for parameters out of range, another number of regions, and a
- *   face that is none, has a second cell or is there twice; TooLarge; Stopped
+ * face that is none, has a second cell or is there twice; TooLarge; Stopped
  */
 LayeredMesh MakeBoundaryLayers(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<Id>& wall, const std::vector<std::array<Id, 4>>& labels,

@@ -10,15 +10,15 @@ namespace insideout
 /** Where the borders of layers are between the wall and the innermost one: 0, and up to 1. */
 std::vector<double> FractionsOfLayers(int layers, double growth);
 
-/** The corners of a triangle of the wall and where layers end behind them; the same place where
- * there is none. */
+/** The corners of a triangle of the wall and the ends of the layers behind them; equal where there
+ * is none. */
 struct LayerColumn
 {
   std::array<Point, 3> Outer; ///< counter-clockwise seen from outside
   std::array<Point, 3> Inner;
 };
 
-/** The place on the border of a layer: exactly the ends at 0 and 1. */
+/** The point on the border of a layer: exactly the ends for 0 and 1. */
 Point PlaceOnBorder(const Point& outer, const Point& inner, double fraction);
 
 /**

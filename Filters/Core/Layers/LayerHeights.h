@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** How much heights may differ between neighbors, per length of the edge between them. */
+/** Limit on the difference of heights of neighbors, per length of their edge. */
 constexpr double GradingOfHeights = 1;
 
 /**

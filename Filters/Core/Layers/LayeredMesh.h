@@ -22,18 +22,18 @@ struct LayerSide
  * tetrahedra behind. */
 struct LayeredMesh : LayerCells
 {
-  /** Those of the input that are left, with the wall's where they were, then those of the layers.
-   */
+  /** The remaining points of the input, with the wall's unmoved, then the points of the layers. */
   std::vector<Point> Points;
-  std::vector<Id> OriginalPoints; ///< per point, that of the input; None for a new or moved one
-  std::vector<Id> CellsOfPoints;  ///< per point, a cell of the input that holds it, or is near it
+  std::vector<Id>
+    OriginalPoints; ///< per point, its number in the input; None for a new or moved one
+  std::vector<Id> CellsOfPoints; ///< per point, a cell of the input that holds it, or is near it
 
-  /** Per point of the input the one that other facets than the wall have in its place; None for
-   * one that is gone. At rims it is behind the layers. */
+  /** Per point of the input the point that replaces it in other facets than the wall; None for a
+   * removed one. At rims it is behind the layers. */
   std::vector<Id> PointsBeside;
   std::vector<LayerSide> Sides; ///< along other facets, between these and the wall
 
-  /** Cells behind the layers first, then those of layers with two edges of no length. */
+  /** Cells behind the layers first, then prisms that have lost two edges. */
   std::vector<Tetrahedron> Tetrahedra;
   std::size_t NumberOfCellsBehind = 0; ///< of these tetrahedra
 

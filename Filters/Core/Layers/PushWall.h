@@ -10,7 +10,7 @@
 
 namespace insideout
 {
-/** How far and where to the points of a wall are to go. */
+/** Distances and directions by which the points of a wall move. */
 struct WallPush
 {
   const LayerWall& Wall;
@@ -22,8 +22,8 @@ struct WallPush
 /**
  * Moves the points of a wall inward, whole or not at all each. After a move all cells of the mesh
  * and of the layers around are positive, exactly. The point has gone to the inner side of all
- * triangles of the moved wall around it. So the moved wall crosses neither itself nor the wall at
- * any time: the space between the wall before and after a move was that of cells around the point.
+ * triangles of the moved wall around it. So the moved wall never crosses itself or the wall: each
+ * move sweeps only cells around the point.
  */
 class PushedWall
 {

@@ -14,7 +14,7 @@ struct WallDirection
   Point Inward = { { 0, 0, 0 } }; ///< of length 1
   double Cosine = 0; ///< the least with the inner normals of the triangles around; 0: no way in
 
-  /** How long the way through layers of height 1 is: in corners longer. */
+  /** The length of an edge through layers of height 1: longer in corners. */
   double LengthPerHeight() const;
 
   /** The product of this way and a vector. */
@@ -22,10 +22,10 @@ struct WallDirection
 };
 
 /**
- * One direction per point of the mesh, for those of the wall: the one whose least cosine with the
- * triangles' normals is largest (Aubry and Loehner 2008), of those along the planes of other facets
- * at its point; smoothed along the wall as far as that cosine allows, and farther where edges would
- * get short behind layers of the height.
+ * One direction per point of the wall: the one with the largest minimal cosine to the triangles'
+ * normals (Aubry and Loehner 2008), among those along the planes of other facets at the point.
+ * Directions are smoothed along the wall as far as that cosine allows, and farther if edges behind
+ * the layers would get short.
  */
 std::vector<WallDirection> FindWallDirections(const std::vector<Point>& points,
   const LayerWall& wall, const std::vector<WallRim>& rims, double height);

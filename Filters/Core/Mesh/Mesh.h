@@ -127,8 +127,8 @@ protected:
   {
     const std::vector<Id>& Old;
     const std::vector<Tetrahedron>& Fresh;
-    const std::vector<Triangle>& Gone; ///< removed pieces of the boundary, sorted
-    /// faces of fresh cells, or of those behind the old ones
+    const std::vector<Triangle>& Gone; ///< removed pieces of the boundary, sorted faces of fresh
+                                       ///< cells, or of cells behind the old ones
     const std::vector<FreshFacet>& Facets;
   };
 

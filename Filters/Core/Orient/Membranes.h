@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** The role of a shell beside the others. */
+/** The role of a shell relative to the others. */
 enum class ShellRole : char
 {
   Counts,

@@ -10,7 +10,7 @@
 
 namespace insideout
 {
-/** The winding number of a shell around a place. */
+/** The winding number of a shell at a point. */
 struct ShellWinding
 {
   Id Shell;
@@ -22,7 +22,7 @@ struct ShellWinding
   }
 };
 
-/** All places with the same winding numbers of all shells. */
+/** All points with the same winding numbers of all shells. */
 struct ShellRegion
 {
   std::vector<ShellWinding> Windings; ///< by shell; not empty

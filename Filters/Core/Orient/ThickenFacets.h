@@ -9,7 +9,7 @@ namespace insideout
 struct ThickenParameters
 {
   double Width = 0; ///< in the surface's units; 0: no thickening
-  bool All = false; ///< every facet, not only those that enclose nothing
+  bool All = false; ///< every facet, not only sheets
 };
 
 /**
@@ -23,10 +23,10 @@ struct ThickenParameters
  * Facets of the slab inherit the source of their facet, points the data of their point.
  *
  * @param[in,out] surface validated, not resolved
- * @param[in] isSheet one per facet: those that enclose nothing
+ * @param[in] isSheet one per facet: whether it belongs to a shell that encloses nothing
  * @return the number of thickened facets
  * @throws Error InvalidParameter if the width is negative, not finite, or too small for the
- *   surface; TooLarge; Stopped
+ * surface; TooLarge; Stopped
  */
 Id ThickenFacets(FacetComplex& surface, const std::vector<char>& isSheet,
   const ThickenParameters& parameters, Monitor& monitor);

@@ -6,13 +6,13 @@
 
 namespace insideout
 {
-/** The boundary as a manifold: a surface with possibly several points at one place. */
+/** The boundary as a manifold: a surface with possibly several coincident points. */
 struct ManifoldSurface
 {
   std::vector<Triangle> Triangles; ///< the faces, in their order, by the points below
   std::vector<Id> Places;          ///< the solid's point at each point's place
   Id SharedPoints =
-    /// copies within shared cells: the number of points beyond the number of places
+    /// copies within shared cells: the number of points minus that of distinct positions
     0;
   Id LeftEdges = 0; ///< edges with more than two triangles
 };

@@ -9,8 +9,8 @@
 
 namespace insideout
 {
-/** The hull with a solid in it, with possibly several points at one place and some cells
- * duplicated. Outside cells are unchanged. */
+/** The hull with a solid in it, with possibly coincident points and duplicated cells. Outside cells
+ * are unchanged. */
 struct PartedSolid
 {
   TetrahedralMesh Mesh;

@@ -5,11 +5,11 @@
 
 namespace insideout
 {
-/** A surface with possibly several points at one place. */
+/** A surface with possibly coincident points. */
 struct SeamedSurface
 {
   std::vector<Triangle> Triangles;  ///< by the points below
-  std::vector<Id> Places;           ///< the point of the mesh at each point's place
+  std::vector<Id> Places;           ///< the coincident point of the mesh, per point
   std::vector<PointOrigin> Origins; ///< one per point
 };
 
@@ -23,7 +23,7 @@ struct SeamedSurface
  * @param[in] given the input triangles by points of the mesh (TrianglesInMesh)
  * @param[in] alike per point of the soup the lowest one with which it was merged and whose data are
  *            the same
- * @return points sorted by place, then by input triangle
+ * @return points sorted by position, then by input triangle
  * @throws Error Stopped
  */
 SeamedSurface SplitSeams(const std::vector<BoundaryTriangle>& triangles, const TriangleSoup& soup,

@@ -8,8 +8,8 @@
 
 namespace insideout
 {
-/** How good a tetrahedron is. An inverted one has all that its mirror image has, but for the mean
- * ratio's sign. */
+/** How good a tetrahedron is. An inverted cell has the values of its mirror image, except for the
+ * sign of the mean ratio. */
 struct CellQuality
 {
   /** In degrees, from 0 to 180, at each of TetrahedronEdges. */
@@ -19,8 +19,8 @@ struct CellQuality
    * where the cell is flat. */
   double RadiusEdgeRatio;
 
-  /** 12 (3 V)^(2/3) over the sum of the squared edges, as Verdict has it (Liu and Joe 1994): 1 at
-   * best, 0 where the cell is flat, negative where it is inverted. */
+  /** 12 (3 V)^(2/3) over the sum of the squared edges, as in Verdict (Liu and Joe 1994): 1 at best,
+   * 0 for a flat cell, negative for an inverted one. */
   double MeanRatio;
 
   double MinDihedralAngle() const
@@ -34,11 +34,11 @@ struct CellQuality
 };
 
 /**
- * The quality of a tetrahedron, never NaN. Doubles decide where the cell is thick; where its volume
- * is below a millionth of its longest edge cubed, double-doubles do, of coordinates whose
- * differences are exact: so that all has ten digits down to 1e-20 of that, where those that doubles
- * give are noise. Only an exactly flat cell is called so; its angles are 0 and 180 degrees, and 0
- * at an edge of a face without area.
+ * The quality of a tetrahedron, never NaN. Thick cells are computed in doubles; cells with a volume
+ * below a millionth of their longest edge cubed in double-doubles, from exact differences of
+ * coordinates. So all values have ten digits down to 1e-20 of that cube, where doubles give noise.
+ * Only an exactly flat cell is called so; its angles are 0 and 180 degrees, and 0 at an edge of a
+ * face without area.
  *
  * @param[in] corners finite coordinates
  */

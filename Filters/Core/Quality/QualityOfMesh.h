@@ -37,7 +37,7 @@ struct MeshQuality
   Id SurfaceEdgesUnder10Degrees = 0;
   Id SurfaceEdgesUnder5Degrees = 0;
 
-  /** How many angles are in each 5 degrees, from 0; 180 is in the last. */
+  /** The number of angles per 5 degrees, from 0; 180 is in the last. */
   std::array<std::int64_t, 36> Histogram = {};
 };
 

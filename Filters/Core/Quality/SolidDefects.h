@@ -13,12 +13,12 @@ namespace insideout
 /** The defects of cells, decided exactly: tetrahedra first, then pyramids and prisms of layers. */
 struct SolidDefects
 {
-  /** For each cell: 1 where its volume is positive as VTK orders its points, 0 where it is flat, -1
-   * where it is negative. A pyramid or prism is as its worst corner (Orient). */
+  /** For each cell the sign of its volume in VTK's order of points: 1, 0 or -1. A pyramid or prism
+   * is as its worst corner (Orient). */
   std::vector<std::int8_t> Orientations;
 
-  /** For each cell the part of the solid that it is in, parts being joined through faces: from 0,
-   * by their first cells. */
+  /** For each cell its part of the solid, connected through faces; parts are numbered from 0 by
+   * their first cells. */
   std::vector<Id> Regions;
 
   Id NumberOfRegions = 0;
@@ -36,8 +36,8 @@ struct SolidDefects
    * halves that are a triangle of another cell. */
   Id ContactPairs = 0;
 
-  /** Whether cells meet in whole faces only, without overlap. The boundary is watertight then: a
-   * sum of the boundaries of cells, of which what is within cancels. */
+  /** Whether cells meet in whole faces only, without overlap. The boundary is watertight then: it
+   * is the sum of the cells' boundaries, in which inner faces cancel. */
   bool Conforms() const
   {
     return this->CrowdedFaces == 0 && this->OverlappingFaces == 0 && this->ContactPairs == 0;

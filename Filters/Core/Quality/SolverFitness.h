@@ -20,7 +20,7 @@ struct SolverFitness
    * 1e-20, CalculiX's limit, at one of its integration points, in doubles and in its order. */
   Id RefusedCells = 0;
 
-  /** Those refused cells whose size alone is too small. In a smaller unit they pass. */
+  /** Refused cells that are only too small. In a smaller unit they pass. */
   Id TooSmallCells = 0;
 
   /** Other tetrahedra with a dihedral angle below 1 degree, which cost a solver steps and digits.
@@ -48,7 +48,7 @@ enum class CellTreatment
  * @param[in] points finite coordinates, with the digits and in the unit that the solver gets
  * @param[in] cells ids in range
  * @param[in] midpoints of each cell, on TetrahedronEdges; empty or None where cells are linear
- * @param[in] layers pyramids and prisms among them, as CalculiX has them: C3D6 (NodesOfC3D6)
+ * @param[in] layers pyramids and prisms among them, as CalculiX's C3D6 (NodesOfC3D6)
  * @param[in] regions of each tetrahedron; empty where all are one
  * @throws Error Stopped
  */

@@ -8,7 +8,7 @@
 namespace insideout
 {
 /**
- * The worst shape (ShapeOf) of the cells between a place and walls around it, which are
+ * The worst shape (ShapeOf) of the cells between a point and walls around it, which are
  * counter-clockwise seen from it.
  * @param[in] enough if the shape is below this, any smaller value may be returned
  */
@@ -16,11 +16,11 @@ double WorstShapeAt(const std::vector<Point>& points, const std::vector<Triangle
   const Point& place, double enough);
 
 /**
- * Move a place to improve the worst shape of the cells between it and the walls. Steps follow the
+ * Move a point to improve the worst shape of the cells between it and the walls. Steps follow the
  * shortest vector between the gradients of the worst cells' shapes (Freitag and Ollivier-Gooch
  * 1997, Tetrahedral Mesh Improvement Using Swapping and Smoothing).
  *
- * @param[in,out] place it may lie beyond walls in the beginning
+ * @param[in,out] place the point, which may start beyond walls
  * @param[in] normal of the plane that it stays in, of length 1; null: none
  * @return the worst shape there
  */

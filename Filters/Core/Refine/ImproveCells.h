@@ -9,13 +9,13 @@
 namespace insideout
 {
 /**
- * Make the worst cells better, the worst first, each by the first of these that does: other cells
- * between the same points (Reconnection), another place for a corner (PointSmoothing), a corner
- * less (Contraction), a point more (PointInsertion). No step makes the worst shape of the cells it
- * changes worse, so that it ends.
+ * Improve the worst cells, the worst first, each by the first operation that does: reconnecting its
+ * points (Reconnection), moving a corner (PointSmoothing), contracting a corner (Contraction),
+ * inserting a point (PointInsertion). No step makes the worst shape of the cells it changes worse,
+ * so that it ends.
  *
  * @param[in] since of the mesh's changes (NumberOfChanges): cells around which nothing has changed
- *   since then are left; None: all are looked at
+ * since then are left; None: all are looked at
  * @param[in] passes over all cells, of which the first adds no points
  * @throws Error Stopped
  */

@@ -42,32 +42,32 @@ public:
   {
   }
 
-  /** Look for what the middle of an edge of facets would replace. */
+  /** Find the cavity of the middle of an edge of facets. */
   bool FindOnEdge(const EdgeOfCell& edge);
 
   /**
-   * Look for what a place in the plane of a piece would replace. Where a ridge is between, this
-   * comes to it (Ridge) and no further.
+   * Find the cavity of a point in the plane of a piece. Where a ridge is between, this comes to it
+   * (Ridge) and no further.
    */
   bool FindOnFacet(PieceOfCell piece, const Point& place);
 
   /** The ridge that the last search came to; of None if it came to none. */
   const EdgeOfCell& Ridge() const { return this->Met; }
 
-  /** A ridge around what was found that has the place in its diametral ball; of None if none has.
-   */
+  /** A ridge around the cavity whose diametral ball contains the point; of None if there is
+   * none. */
   EdgeOfCell Encroached() const;
 
-  /** The square of how far the nearest corner of the cells to be replaced is. */
+  /** The squared distance to the nearest corner of the cavity. */
   double SquaredSpacing() const { return this->Hole.SquaredSpacing(); }
 
-  /** How long edges are to be at the place. */
+  /** The required edge length at the point. */
   double SizeThere(const SizingField& sizes) const
   {
     return sizes.At(this->Hole.Cells().front(), this->Hole.Place);
   }
 
-  /** Insert what was found, unless pieces at it would cross others. @return whether it was */
+  /** Insert the point, unless pieces at it would cross others. @return whether it was inserted */
   bool Insert(SizingField& sizes);
 
 private:
@@ -100,8 +100,8 @@ private:
   RefinableSurface& Surface;
   SurfaceBound& Bound;
   EdgeOfCell Met;
-  Edge Halved;             ///< the edge in whose middle the place is, if it is
-  std::size_t Certain = 0; ///< of the pieces: those that hold the place
+  Edge Halved;             ///< the edge whose middle the point is, if any
+  std::size_t Certain = 0; ///< the pieces that contain the point
   std::vector<PieceOfCell> Pieces;
   std::vector<Triangle> Dropped; ///< these, sorted
   Cavity Hole;

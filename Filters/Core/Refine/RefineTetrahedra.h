@@ -31,7 +31,7 @@ struct RefinementParameters
    * tolerance; in degrees. */
   double FeatureAngle = 30;
 
-  /** Remeshed: per face of each cell, a number; edges between faces with different numbers stay.
+  /** For Remeshed, a label per face of each cell; edges between faces with different labels stay.
    * Empty: all faces have the same number. */
   std::vector<std::array<Id, 4>> Labels;
 };

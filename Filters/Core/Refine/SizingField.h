@@ -40,8 +40,8 @@ public:
   /** Set them for a surface to be split: short at short edges and thin triangles. */
   void FollowThinTriangles();
 
-  /** Reduce them at thin triangles of the surface: these are beside edges that stay short, without
-   * which the surface would be too far from the input's. */
+  /** Reduce them at thin triangles of the surface, which adjoin short edges that must stay to keep
+   * the surface near the input's. */
   void ShortenAtThinTriangles();
 
   /** Set them for a surface to be remeshed: the wanted lengths, regardless of the surface; if none

@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** A piece of the surface, by its points' ids and places. */
+/** A piece of the surface, by its points' ids and coordinates. */
 struct SurfacePiece
 {
   Triangle Corners;
@@ -22,7 +22,7 @@ Point NormalOf(const SurfacePiece& piece);
 bool IsThin(const std::array<Point, 3>& triangle);
 
 /** Whether coplanar pieces, all seen from one side, face a normal's direction. For flat cells their
- * signs do not tell. */
+ * signs decide nothing. */
 bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal);
 
 /** Whether all fresh pieces face the way of the gone ones together. */

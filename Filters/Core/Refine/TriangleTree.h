@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** A triangle by its corners' places. Facets of one label may replace each other. */
+/** A triangle by its corners' coordinates. Facets of one label may replace each other. */
 struct LabelledTriangle
 {
   std::array<Point, 3> Corners;

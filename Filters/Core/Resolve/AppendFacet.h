@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** Append a facet with what a facet of another complex counts, and its sources. */
+/** Append a facet with the multiplicity and sources of a facet of another complex. */
 inline void AppendFacet(
   FacetComplex& surface, const Triangle& corners, const FacetComplex& from, Id facet)
 {

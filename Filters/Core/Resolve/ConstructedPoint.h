@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-/** Points where facets meet: named by what meets there, evaluated in intervals, and exactly where
- * those do not decide. */
+/** Points where facets meet: named by the features that meet there, evaluated in intervals, and
+ * exactly if these do not decide. */
 namespace insideout
 {
 /** Facets whose points are constructed from. */
@@ -24,8 +24,8 @@ inline FilteredTriangle CornersOf(const FacetList& surface, Id facet)
 }
 
 /**
- * A point by what it is. Points with equal names are equal; the reverse need not hold, for an edge
- * may cross two facets in one point of both.
+ * A point by its construction. Points with equal names are equal; the reverse need not hold, for an
+ * edge may cross two facets in one point of both.
  */
 struct ConstructedPoint
 {

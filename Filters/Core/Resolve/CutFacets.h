@@ -11,7 +11,7 @@ namespace insideout
  * others in common points and edges. Exact: points of different subdivisions may be the same under
  * two names, and are then equal when they are rounded.
  *
- * @param[in] pairs what FindIntersections gives, or a part of it
+ * @param[in] pairs the result of FindIntersections, or a part of it
  * @return one subdivision for every group of facets that overlap in a plane (mostly single facets),
  *         by lowest facet; sources are facet ids. Facets in no pair are not there.
  * @throws Error (Stopped)

@@ -7,8 +7,8 @@
 namespace insideout
 {
 /**
- * All pairs, among some facets, of those that overlap nearly in one plane, nearer to it than
- * `radius`, whether they cross or not. Facets too narrow to tell their plane are passed over.
+ * All pairs of some facets that overlap nearly in one plane, within `radius` of it, crossing or
+ * not. Facets too narrow to define a plane are skipped.
  *
  * @param[in] bodies of each facet of the surface, or none: pairs of one body are passed over
  * @throws Error (Stopped)
@@ -18,15 +18,15 @@ std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::v
   const std::vector<Id>& bodies = {});
 
 /**
- * Cuts layers: facets that overlap nearly in one plane, nearer to it than `radius`. Where rounding
- * turned what was meant to coincide a little, such facets cross along lines that mean nothing, the
- * next cut along others. Here they are cut along each other's edges as if they were in one plane;
- * their pieces then have the same corners, and become one facet when these are placed.
+ * Cuts layers: facets that overlap nearly in one plane, nearer to it than `radius`. If rounding has
+ * turned facets that should coincide, they cross along meaningless lines, and along others after
+ * the next cut. Here they are cut along each other's edges as if they were in one plane; their
+ * pieces then have the same corners, and become one facet when these are placed.
  *
- * Facets too narrow to tell their plane are passed over. Facets in other planes that share an edge
+ * Facets too narrow to define a plane are skipped. Facets in other planes that share an edge
  * of a layer have to be split there as its pieces are (SplitAlike).
  *
- * @param[in] pairs facets that cross, or are layers; those that are none are passed over
+ * @param[in] pairs facets that cross, or are layers; other pairs are skipped
  * @param[in] radius in units of the points
  * @return one subdivision for every group of layers, by lowest facet; sources are facet ids
  * @throws Error (Stopped)

@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** What two facets that meet have in common: an area of their plane, or a segment. */
+/** The intersection of two facets that meet: an area of their plane, or a segment. */
 struct Meeting
 {
   bool Overlap = false;
@@ -15,7 +15,8 @@ struct Meeting
 };
 
 /**
- * How two facets meet, decided with exact predicates. It says no more of facets that overlap.
+ * How two facets meet, decided with exact predicates. For facets that overlap it has no further
+ * details.
  *
  * @param[in] a, b non-degenerate facets that have a point in common
  */

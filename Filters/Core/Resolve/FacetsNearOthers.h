@@ -8,8 +8,8 @@
 namespace insideout
 {
 /**
- * The facets that may be near one of another set: all whose boxes, widened by `radius`, meet that
- * of one, and some more. It costs little where few are: a grid tells, not a tree.
+ * The facets that may be near one of another set: all whose boxes, widened by `radius`, meet a box
+ * of the set, and some more. A grid instead of a tree makes this cheap if few facets are near.
  *
  * @param[in] points finite
  * @param[in] setOf one per facet; None for facets that are passed over

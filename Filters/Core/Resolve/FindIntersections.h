@@ -24,7 +24,7 @@ std::vector<std::array<Id, 2>> FindIntersections(
 std::vector<std::array<Id, 2>> FindIntersectionsBetween(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, const std::vector<Id>& setOf, Monitor& monitor);
 
-/** The same, but only the pairs (i, j) with j at least `firstNew`: those that new facets made. */
+/** The same, but only the pairs (i, j) with j at least `firstNew`: those with a new facet. */
 std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, Id firstNew, Monitor& monitor);
 } // namespace insideout

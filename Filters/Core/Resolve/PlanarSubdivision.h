@@ -22,7 +22,7 @@ struct PieceSource
   bool Reversed;
 };
 
-/** A triangle of a subdivision. Its corners run as those of its first source do. */
+/** A triangle of a subdivision. Its corners have the orientation of its first source. */
 struct Piece
 {
   Triangle Corners;
@@ -45,13 +45,11 @@ struct PlanarSubdivision
 };
 
 /**
- * Facets of one plane cut along each other's edges and along segments: a constrained
- * triangulation in which every edge and segment is a union of edges. Exact; as near to Delaunay as
- * doubles tell.
+ * Facets of one plane cut along each other's edges and along segments: a constrained triangulation
+ * in which every edge and segment is a union of edges. Exact; Delaunay up to rounding in doubles.
  *
- * @param[in] facets ascending, exactly in one plane; they may overlap. Without cuts it is enough if
- *   no facet turns its side to the axis that suits the first one: what counts is how they look from
- *   there
+ * @param[in] facets ascending, exactly in one plane; they may overlap. Without cuts it suffices
+ * that no facet is edge-on along the first one's axis, because only the projections count
  * @param[in] cuts each in one of the facets, boundary included
  */
 PlanarSubdivision SubdividePlane(

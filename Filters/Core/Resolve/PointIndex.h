@@ -16,7 +16,7 @@ public:
 
   void Add(const Point& p, Id id);
 
-  /** The nearest point at most the radius away, of several the one of lowest id; None for none. */
+  /** The nearest point within the radius, the lowest id of several; None for none. */
   Id Find(const Point& p) const;
 
 private:

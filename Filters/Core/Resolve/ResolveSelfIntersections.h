@@ -10,7 +10,7 @@ struct Resolution
 {
   FacetComplex Surface;
   std::vector<std::array<Id, 2>> IntersectingPairs; ///< facets of the input complex, sorted
-  int Rounds = 0; ///< how often facets were cut: more than 1 where rounding made new crossings
+  int Rounds = 0; ///< number of rounds of cutting: more than 1 if rounding made new crossings
 };
 
 /** Crossings of a complex that were found before. */
@@ -27,16 +27,16 @@ struct KnownCrossings
 struct TouchingFacets
 {
   std::vector<std::array<Id, 2>> Pairs;
-  double Radius = 0; ///< how far they are apart at most
+  double Radius = 0; ///< their largest distance
 };
 
 /**
  * Stage pre: cut facets where they meet other than in shared points and edges, so that none do any
  * more (the pre-processing of thesis, chapter 8). Cutting is exact; then new points are rounded to
- * doubles, slivers that have no room left are collapsed, and what crosses after that is cut again.
+ * doubles, slivers without room are collapsed, and facets that cross after that are cut again.
  * Layers that cross because they coincide only up to rounding become one before. Input points keep
  * their coordinates and come first, in their order. No point lies within a constraint or an edge of
- * one, not even a point that no facet has any more.
+ * one, not even an unused point.
  *
  * Pieces that coincide become one facet with all sources and the sum of the multiplicities; where
  * rounding folded a triangle onto itself, its piece and the reverse of that cancel. Facets that
@@ -45,9 +45,9 @@ struct TouchingFacets
  * @param[in] surface a validated complex
  * @param[in] known is not searched again
  * @param[in] touching facets become one along each other's edges, as if they were in one plane.
- *   Points of the surface stay; of a pair the first has its shape, and the second is bent to it
+ * Points of the surface stay; of a pair the first has its shape, and the second is bent to it
  * @param[in] mayTouch facets that become one where they coincide up to rounding also if none of
- *   them cross; they take a search of their own
+ * them cross; they take a search of their own
  * @throws Error TooLarge where facets coincide more often than a multiplicity can count, Stopped
  */
 Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor,

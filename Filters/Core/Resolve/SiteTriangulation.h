@@ -48,7 +48,7 @@ inline bool ShareALine(const PlanarSite& p, const PlanarSite& q, const PlanarSit
     p.Lines.begin(), p.Lines.end(), [&](Id line) { return q.LiesOn(line) && r.LiesOn(line); });
 }
 
-/** What the triangulation knows of a point: enough to ask exact questions. */
+/** The triangulation's data of a point, sufficient for exact predicates. */
 struct SitePoint
 {
   PlanarSite* Where = nullptr;

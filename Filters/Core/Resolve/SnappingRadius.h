@@ -6,8 +6,8 @@
 namespace insideout
 {
 /**
- * How near two points, a point and an edge, or layers are at most taken for one: some spacings of
- * the doubles, because what lies nearer makes slivers that cross again. Three times that in each
+ * The distance up to which two points, a point and an edge, or layers are merged: some spacings of
+ * the doubles, because smaller distances make slivers that cross again. Three times that in each
  * round stays below 1e-12 of the largest coordinate.
  */
 inline double SnappingRadius(double largestCoordinate)

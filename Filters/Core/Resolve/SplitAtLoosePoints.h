@@ -9,14 +9,14 @@ namespace insideout
 {
 /**
  * Split constraints at the points that no constraint has, where these lie in them: exactly, within
- * a constraint or within an edge of one. Each of the constraints along an edge is split at the same
- * points, so what was closed stays so. Nothing crosses that did not before.
+ * a constraint or within an edge of one. All constraints along an edge are split at the same
+ * points, so closed chains stay closed. Nothing crosses that did not before.
  *
  * Such a point is a corner of slivers that collapsed, or of facets that are no constraints any
  * more. The tetrahedra have it all the same, and no face or edge of them can pass through it.
  *
- * @return the constraints that stay as they are, in their order, then the pieces of the others, and
- *         then what was no constraint
+ * @return the unchanged constraints in their order, then the pieces of the others, then facets that
+ * were no constraints
  * @throws Error Stopped
  */
 FacetComplex SplitAtLoosePoints(

@@ -19,7 +19,7 @@ struct ReplacedFacet
   Id Parent;
 };
 
-/** What became of a list of facets. */
+/** The facets that replace a list of facets. */
 struct Replacement
 {
   std::vector<Id> Removed; ///< ascending
@@ -27,8 +27,8 @@ struct Replacement
 };
 
 /**
- * Facets that can be split at their edges, all along an edge at once, so that what was closed stays
- * so. Parts are numbered on after the given facets.
+ * Facets that can be split at their edges, all along an edge at once, so that closed chains stay
+ * closed. Parts are numbered on after the given facets.
  */
 class SplittableFacets
 {

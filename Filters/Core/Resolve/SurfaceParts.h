@@ -26,12 +26,12 @@ struct SurfaceParts
 };
 
 /**
- * Cut a surface into parts most of which, where it is smooth, are proved to be terrains: so that
+ * Cut a surface into parts. Where it is smooth, most parts are proved to be terrains, so that their
  * facets need only be compared with those of other parts. Facets of a part have their centers in
  * one cube of a grid, or in a half of it where there are many; face one way, as seen along an axis;
- * and are joined through edges. Those that are in no terrain are one part in each cube.
+ * and are joined through edges. The facets in no terrain are one part in each cube.
  *
- * @return nothing where a sample tells that too few facets would be in terrains
+ * @return nothing if, by a sample, too few facets would be in terrains
  *
  * @param[in] facets not degenerate, no two with the same three points
  * @throws Error (Stopped)

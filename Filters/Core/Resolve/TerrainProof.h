@@ -27,7 +27,7 @@ public:
     return this->IsFromAbove ? PlanarPoint{ p[right], p[up] } : PlanarPoint{ p[up], p[right] };
   }
 
-  /** How far a direction points towards who looks. */
+  /** The component of a direction toward the viewer. */
   double Towards(const Point& direction) const
   {
     return this->IsFromAbove ? direction[this->Axis] : -direction[this->Axis];
@@ -41,7 +41,7 @@ private:
   bool IsFromAbove;
 };
 
-/** An edge as the one facet runs along it that has it. */
+/** An edge of one facet, in that facet's direction. */
 struct BorderEdge
 {
   Id From;
@@ -53,29 +53,29 @@ struct BorderEdge
  * the edges that they share by id (MeetBeyondSharedCorners). That is proved by their border alone,
  * which is short, and exactly. Where the answer is no they may be one all the same.
  *
- * The facets' images in the view run counter-clockwise. Their border is what is left of their edges
- * when those that run opposite ways cancel. It has to hold that
+ * The facets' images in the view run counter-clockwise. Their border is the sum of their edges, in
+ * which opposite ones cancel. It has to hold that
  *
- *   1. images of two edges of the border have nothing in common but ends that they share by id (so
+ * 1. images of two edges of the border have nothing in common but ends that they share by id (so
  *      that none is there twice);
- *   2. the border is in one piece: from each edge to each other one comes through shared ends;
- *   3. around each end edges that arrive and edges that leave take turns.
+ * 2. the border is in one piece: from each edge to each other one comes through shared ends;
+ * 3. around each end edges that arrive and edges that leave take turns.
  *
- * Proof. How many images cover a place is how often the border's image winds around it, for each
- * image winds around its own places once. To the left of an edge of the border that is one more
- * than to its right. Around an end, by 3, one passes from n to n + 1 and back again and again, so
- * that all edges there have the same n on their right; by 2 all edges of the border have. Far away
- * the number is 0, and it is nowhere below, so n is 0: each place beside the border's image is
+ * Proof. The number of images that cover a point is the winding number of the border's image there,
+ * for each image winds once around its own points. To the left of an edge of the border that is one
+ * more than to its right. Around an end, by 3, one passes from n to n + 1 and back again and again,
+ * so that all edges there have the same n on their right; by 2 all edges of the border have. Far
+ * away the number is 0, and it is nowhere below, so n is 0: each place beside the border's image is
  * covered once or not at all, and the insides of no two images overlap.
  *
- * Say that the images of two facets have a point x in common. It lies on edges of both: all around
- * a point inside one image is covered by that image alone.
- *   - Within an edge that cancels there is a facet on either side, and they cover all around x:
- * these are the two, and x is on the edge that they share.
- *   - At a corner that has no edge of the border, facets that share it cover all around it: the two
+ * Let the images of two facets have a common point x. It lies on edges of both: all around a point
+ * inside one image is covered by that image alone.
+ * - Within an edge that cancels there is a facet on either side, and they cover all around x: these
+ *   are the two, and x is on the edge that they share.
+ * - At a corner that has no edge of the border, facets that share it cover all around it: the two
  *     are among these, and x is the corner that they share.
- *   - Else x is on the border as a point of the one and of the other. Within one edge of it there
- * is but one facet, for two would overlap. Different edges have only ends in common that they share
+ * - Else x is on the border as a point of the one and of the other. Within one edge of it there is
+ *   but one facet, for two would overlap. Different edges have only ends in common that they share
  *     by id, by 1: x is a corner that both share.
  *
  * It takes longer with the square of the border's length at worst.

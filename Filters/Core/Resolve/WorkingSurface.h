@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** What a facet stands for, beside its corners. */
+/** The meaning of a facet, besides its corners. */
 struct Meaning
 {
   Id Root = None;                   ///< a facet of the given complex that it is a piece of
@@ -33,7 +33,7 @@ public:
   explicit WorkingSurface(const FacetComplex& given);
 
   std::vector<Point> Points;                ///< the given ones first; new ones are added
-  std::vector<Triangle> Facets;             ///< changed by what follows only
+  std::vector<Triangle> Facets;             ///< changed only by the functions below
   std::vector<std::array<Id, 2>> Crossings; ///< pairs of facets that cross, as far as searched
 
   Id NumberOfGivenPoints() const { return static_cast<Id>(this->Given->Points.size()); }
@@ -47,15 +47,15 @@ public:
   Id AddPoint(const Point& p, Id root);
 
   /**
-   * Take facets away and add others, behind those that stay. One with the corners of another adds
-   * its meaning to that; what is left without a meaning is taken away, too.
+   * Remove facets and append others. A facet with the corners of another adds its meaning to that;
+   * facets without a meaning are removed, too.
    */
   void Replace(std::vector<char> isRemoved, const std::vector<MeantFacet>& added);
 
-  /** Replace facets by parts, which mean what those did. */
+  /** Replace facets by parts of the same meaning. */
   void Apply(const Replacement& replacement);
 
-  /** Search what was added since the last time for crossings. @throws Error (Stopped) */
+  /** Search the facets added since the last call for crossings. @throws Error (Stopped) */
   void FindCrossings(Monitor& monitor);
 
   /** The same of all facets, where the crossings within sets are known.
@@ -72,9 +72,9 @@ public:
   std::vector<Id> CrossingFacets() const;
 
   /**
-   * The complex: facets that are to be constraints, then those left out, then what was no
-   * constraint in the given one. New points that nothing uses are dropped; the origins of the
-   * others are those of the facets that they lie on.
+   * The complex: the constraints, then facets left out, then facets that were no constraints in the
+   * given one. New points that nothing uses are dropped; the origins of the others are those of the
+   * facets that they lie on.
    * @throws Error TooLarge, Stopped
    */
   FacetComplex Assemble(const std::vector<Id>& leftOut, Monitor& monitor);

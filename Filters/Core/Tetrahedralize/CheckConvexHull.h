@@ -13,9 +13,9 @@ namespace insideout
  * It is looked at alone, by exact predicates, in time that grows with its faces and not with the
  * cells: each edge has two faces, turned alike, and is convex; each point has one ring of faces;
  * the Euler characteristic is 2; exactly one point is the largest in lexicographic order among its
- * neighbors, and its ring goes round once. That suffices: let k(v) be how often the ring of v goes
- * round. The normals of a surface whose edges are all convex cover the sphere d = 1 + sum (k(v) -
- * 1) / 2 times, by the theorem of Gauss and Bonnet. Each point that is the largest in a general
+ * neighbors, and its ring goes round once. That suffices: let k(v) be the number of turns of the
+ * ring of v. The normals of a surface whose edges are all convex cover the sphere d = 1 + sum (k(v)
+ * - 1) / 2 times, by the theorem of Gauss and Bonnet. Each point that is the largest in a general
  * direction counts k times in d. So d and every k are 1, and a surface that is convex at every
  * point is the boundary of a convex body.
  *

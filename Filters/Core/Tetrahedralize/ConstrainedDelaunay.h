@@ -53,10 +53,10 @@ struct Tetrahedralization
  * of 0.09 % of the points at the median and below 1.9 % on nine in ten. TetGen's first way failed
  * on 16 of these. On the other 129 both take about as long, at the median and in sum; the exact way
  * takes up to eight times as long where flips leave many edges to be cut. It takes a quarter of an
- * hour for one surface of 600,000 facets that TetGen cannot do. TetGen works in a program of its
- * own (TetgenProcess.h), for it exits, crashes or loops on some inputs. The result of either is
- * checked before it is believed (AssembleMesh.h): points in place, exact positive volumes, every
- * face shared by at most two cells, the hull convex, facets present.
+ * hour for one surface of 600,000 facets that TetGen cannot do. TetGen runs in a separate program
+ * (TetgenProcess.h), because it exits, crashes or loops on some inputs. The result of either is
+ * checked (AssembleMesh.h): points in place, exact positive volumes, every face shared by at most
+ * two cells, the hull convex, facets present.
  *
  * If one rung fails the next on the ladder is tried (Ladder.cxx lists them). The last is the
  * Delaunay tetrahedralization of the points without regard to facets. Among meshes that lose facets

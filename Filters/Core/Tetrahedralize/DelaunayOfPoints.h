@@ -8,8 +8,8 @@ namespace insideout
 {
 /**
  * The Delaunay tetrahedra of points alone (CGAL's, with exact predicates; cospherical points as
- * CGAL's symbolic perturbation decides, which leaves no flat cell). The first of points at one
- * place is used. Cells are sorted, so that the same points give the same answer.
+ * CGAL's symbolic perturbation decides, which leaves no flat cell). The first of coincident points
+ * is used. Cells are sorted, so that the same points give the same answer.
  *
  * @param[in] points at least four that are not in one plane
  * @param[in] mebibytes memory that the tetrahedra may take: few points have many, in unlucky places

@@ -24,8 +24,8 @@ namespace insideout
  *
  * @param[in] points finite, of any size
  * @param[in] corners three or more, as the outline runs
- * @param[in,out] triangles those of the polygon are appended; if several corners have the same
- * coordinates, any of their ids may stand for all
+ * @param[in,out] triangles gains those of the polygon; if several corners coincide, the id of any
+ * of them may represent all
  * @return false if the outline crosses itself, so that no triangles without new points cover
  * exactly the enclosed region: they then overlap, with the least area found
  */

@@ -32,7 +32,7 @@ struct BoundaryLoops
   const std::int32_t* LastSize;
 };
 
-/** Per site the product so far. */
+/** The partial product per site. */
 struct PhaseProducts
 {
   double Real[Lanes];

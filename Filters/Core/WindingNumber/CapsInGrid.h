@@ -22,7 +22,7 @@ class CapsInGrid
 {
 public:
   /**
-   * For the slices from first to last, this not included.
+   * For the slices from first to last (excluded).
    *
    * @param[in] points of the caps, below 1 in each coordinate
    * @param[in] caps each a chain of triangles that are not degenerate
@@ -35,8 +35,8 @@ public:
     const std::vector<std::vector<CountedTriangle>>& caps, double negligible,
     const GridPlaces& grid, Id first, Id last, Monitor& monitor, const ProgressRange& progress);
 
-  /** Add the caps' winding number at each place of a slice; right to about 1e-14. Safe to call from
-   * several threads. */
+  /** Add the caps' winding number at each point of a slice, with an error of about 1e-14. Safe to
+   * call from several threads. */
   void AddInSlice(Id slice, std::vector<double>& w) const;
 
 private:
@@ -47,7 +47,7 @@ private:
     std::vector<double> Weights; ///< barycentric
   };
 
-  /** Some places, from first to last in each axis, this not included. */
+  /** A box of grid points, per axis from first to last (excluded). */
   struct GridBox
   {
     std::array<Id, 3> First;
@@ -77,6 +77,6 @@ private:
   std::vector<Box> BoxOfCap;
   std::vector<double> AreaOfCap; ///< each repeated by its count
   const GridPlaces& Grid;
-  std::vector<GridBox> Boxes; ///< those in which no cap is left out
+  std::vector<GridBox> Boxes; ///< boxes in which no cap is left out
 };
 } // namespace insideout

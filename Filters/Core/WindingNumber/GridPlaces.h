@@ -19,7 +19,7 @@ struct GridPlaces
   Id Size(int axis) const { return static_cast<Id>(this->Axes[axis].size()); }
   std::size_t SizeOfSlice() const { return this->Axes[0].size() * this->Axes[1].size(); }
 
-  /** A place by its number in a slice. */
+  /** A grid point by its number in a slice. */
   Point InSlice(Id slice, std::size_t place) const
   {
     return { this->Axes[0][place % this->Axes[0].size()],

@@ -46,7 +46,7 @@ public:
 
   /**
    * At the exact mean of three finite points that run counter-clockwise. The side of each segment
-   * is exact; angles are right to rounding, however near open ends are.
+   * is exact; angles are exact up to rounding, also near open ends.
    */
   double AtMean(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) const;
 
@@ -60,7 +60,7 @@ public:
   bool IsClosed() const { return this->LooseEnds.empty(); }
 
 private:
-  /** A point, and the number of segments that end there less those that begin. */
+  /** A point, and the number of segments that end there minus those that begin. */
   struct LooseEnd
   {
     Id Point;

@@ -9,13 +9,13 @@ namespace insideout
 /**
  * A recursive bisection of a box, until its cells hold few facets each or cutting no longer
  * separates them. The winding number is carried to a reference place in every cell. Exact
- * predicates decide; if the line between two references meets an edge or a corner another place is
- * taken. Finding a site's cell takes time logarithmic in the number of facets.
+ * predicates decide; if the line between two references meets an edge or a corner, another
+ * reference is taken. Finding a site's cell takes time logarithmic in the number of facets.
  */
 class ReferenceTree
 {
 public:
-  /** A box with the facets that may meet it, and a place where the winding number is known. */
+  /** A box with the facets that may meet it, and a point where the winding number is known. */
   struct Region
   {
     Box Bounds;

@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** A block of sites, and the product so far. */
+/** A block of sites, and its partial product. */
 struct SiteProducts
 {
   std::array<std::size_t, Lanes> Index; ///< of the sites, in the list that they come from

@@ -39,7 +39,7 @@ struct StraightCaps
 /**
  * Find the input triangles whose outline is mostly open and which can stand in for their pieces.
  *
- * @param[in] surface whose facets say which triangles they are of; without this there are no caps
+ * @param[in] surface whose facets have their sources; without these there are no caps
  * @param[in] points of the chain, below 1 in each coordinate
  * @param[in] chain the complex as counted triangles, each of which belongs to a facet
  * @param[in] boundary of the complex's facets

@@ -14,9 +14,9 @@ namespace insideout
 {
 enum class WindingNumberMethod
 {
-  Exact,        ///< right to rounding, and the fastest (ExactWindingNumber.h)
-  Naive,        ///< the sum over all facets, right to rounding (WindingNumberSum.h)
-  Hierarchical, ///< the thesis's, right to rounding (HierarchicalWindingNumber.h)
+  Exact,        ///< exact up to rounding, and fastest (ExactWindingNumber.h)
+  Naive,        ///< the sum over all facets, exact up to rounding (WindingNumberSum.h)
+  Hierarchical, ///< the thesis's hierarchy, exact up to rounding (HierarchicalWindingNumber.h)
   Approximate   ///< the far-field expansion (ApproximateWindingNumber.h)
 };
 
@@ -48,7 +48,7 @@ public:
   /**
    * One value per point; the values do not depend on the number of threads.
    *
-   * @param[in] progress what part of the work these points are
+   * @param[in] progress share of the work that these points are
    * @throws Error (Stopped)
    */
   std::vector<double> At(const std::vector<Point>& points, Monitor& monitor,

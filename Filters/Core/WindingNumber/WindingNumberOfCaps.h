@@ -14,9 +14,9 @@ namespace insideout
  * The chain is given in parts, its caps. A site takes the winding numbers of far caps from their
  * boundaries alone (BoundaryProduct.h), which give them modulo 1, as long as these together are
  * below 1/2 by their areas. The other caps are summed, triangle by triangle, with exact decisions
- * on which side of a triangle the site lies (SolidAngleProduct.h). Either way the value is right to
- * rounding and never off by one. Neighboring caps form a bunch, so that many small far caps cost no
- * more than a large one with as many edges.
+ * on which side of a triangle the site lies (SolidAngleProduct.h). Either way the value is exact up
+ * to rounding and never off by one. Neighboring caps form a bunch, so that many small far caps cost
+ * no more than a large one with as many edges.
  */
 class WindingNumberOfCaps
 {

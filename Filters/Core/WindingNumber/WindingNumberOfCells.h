@@ -13,15 +13,15 @@ namespace insideout
 bool IsClosed(const FacetComplex& surface);
 
 /**
- * Stage w: the mean of the generalized winding number of the complex in each cell (thesis,
- * chapter 8).
+ * Stage w: the mean of the generalized winding number of the complex in each cell (thesis, chapter
+ * 8).
  *
  * - Closed: carried from cell to cell. Entering a cell through a face adds the multiplicity there,
  *   so that every value is an exact integer.
  * - Open: caps close the holes (ExactWindingNumber.h). The integer part is carried from cell to
  *   cell as before, and evaluated exactly in the cells that a cap touches; the winding number of
  *   the caps is added at the barycenter, or integrated (TetrahedronQuadrature.h). Together they are
- *   smooth within a cell. Values are never off by one, and right to about 1e-14.
+ *   smooth within a cell. Values are never off by one, with an error of about 1e-14.
  * - Facets that the mesh lost or the resolver left out count all the same. The cells that such a
  *   facet touches, and one cell of each part of the mesh that these cut off, are evaluated, and all
  *   others walked. On a closed complex values are integers. In a cell that such a facet crosses

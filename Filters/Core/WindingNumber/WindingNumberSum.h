@@ -22,7 +22,7 @@ namespace insideout
  *
  * @param[in] surface every facet counts, the ones behind NumberOfConstraints too
  * @param[in] sites finite; their cells may be of any volume, even none
- * @param[in] progress what part of the work these sites are
+ * @param[in] progress share of the work that these sites are
  * @return one value per site, to about 1e-14 times the root of the number of facets
  * @throws Error (Stopped)
  */

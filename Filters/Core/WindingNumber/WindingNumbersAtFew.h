@@ -12,9 +12,9 @@ namespace insideout
 constexpr std::size_t MostFewSites = 32;
 
 /**
- * The winding number of a closed chain at each of a few sites, exactly, as ClosedChainTree has it,
- * but without a tree. From each site a thin bar leads to beyond the chain, where the winding number
- * is 0. Only triangles that meet the bar are counted; all others are looked at once.
+ * The winding number of a closed chain at each of a few sites, exactly, as by ClosedChainTree, but
+ * without a tree. From each site a thin bar leads to beyond the chain, where the winding number is
+ * 0. Only triangles that meet the bar are counted; all others are looked at once.
  *
  * @param[in] points below 1 in each coordinate
  * @param[in] triangles not degenerate; their boundary is empty
