@@ -24,13 +24,13 @@ struct ExactTetrahedralization
  * why they end.
  *
  * It begins with the Delaunay tetrahedralization of the points. Edges of facets that are not there
- * are recovered by flips (Flips.h), then the facets between them. Constraints that flips do not
- * recover are cut into the mesh by Steiner points that lie exactly on the facet or segment; this
- * always works. They are removed again, or moved into the volume, after each cut, and once more
- * after random flips around them. The rest on the surface is rounded to doubles if exact tests
- * allow it. Facets with points that cannot be rounded are released together with their neighbors.
- * All of these are recovered in another order, as long as that takes no more work than all the
- * rest.
+ * are recovered by pulls and flips (PullVertex.h, Flips.h), then the facets between them.
+ * Constraints that flips do not recover are cut into the mesh by Steiner points that lie exactly on
+ * the facet or segment; this always works. They are removed again, or moved into the volume, after
+ * each cut, and once more after random flips around them. The rest on the surface is rounded to
+ * doubles if exact tests allow it. Facets with points that cannot be rounded are released together
+ * with their neighbors. All of these are recovered in another order, as long as that takes no more
+ * work than all the rest.
  *
  * It ends, for work is limited. Thread-safe and deterministic: the same input gives the same mesh
  * on every machine, because all limits are counts of work, not times.

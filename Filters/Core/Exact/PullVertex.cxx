@@ -3,19 +3,21 @@
 
 #include "Exact/SegmentWalk.h"
 
+#include <algorithm>
+
 namespace insideout
 {
 namespace
 {
 /**
- * Add the cells that a segment passes through, beginning at its other end, whose star is small;
- * none where the way is barred.
+ * Add the cells that a segment passes through, beginning at its other end, whose star is small.
+ * @return whether no constraint or vertex is in the way
  */
-void AddCrossed(ExactState& state, Id apex, Id other)
+bool AddCrossed(ExactState& state, Id apex, Id other)
 {
   const FlippableMesh& mesh = state.Mesh;
   EdgeRing& ring = state.Scratch.Ring;
-  std::vector<Id> crossed;
+  Cone& cone = state.Scratch.Moved;
   Crossing crossing = FirstCrossing(mesh, other, apex);
   for (; crossing.Kind == Crossing::ThroughFace || crossing.Kind == Crossing::ThroughEdge;
        crossing = NextCrossing(mesh, other, apex, crossing))
@@ -25,26 +27,20 @@ void AddCrossed(ExactState& state, Id apex, Id other)
       const FlippableCell& cell = mesh.Cell(crossing.Cell);
       if (cell.Facets[crossing.Face] != None)
       {
-        return;
+        return false;
       }
-      crossed.insert(crossed.end(), { crossing.Cell, cell.Neighbors[crossing.Face] });
+      cone.Add(crossing.Cell);
+      cone.Add(cell.Neighbors[crossing.Face]);
       continue;
     }
     mesh.Ring(crossing.U, crossing.V, crossing.Cell, ring);
     if (ring.IsLocked || state.Segments.Find(crossing.U, crossing.V) != None)
     {
-      return;
+      return false;
     }
-    crossed.insert(crossed.end(), ring.Cells.begin(), ring.Cells.end());
+    std::for_each(ring.Cells.begin(), ring.Cells.end(), [&cone](Id cell) { cone.Add(cell); });
   }
-  mesh.Work().Spend(static_cast<std::int64_t>(crossed.size()));
-  for (const Id cell : crossed)
-  {
-    if (crossing.Kind == Crossing::AtEnd)
-    {
-      state.Scratch.Moved.Add(cell);
-    }
-  }
+  return crossing.Kind == Crossing::AtEnd;
 }
 
 /** Whether a fresh cell is turned as it should, be it beyond the hull. */
@@ -108,19 +104,14 @@ bool Grow(const FlippableMesh& mesh, Cone& cone, Id apex)
 }
 } // namespace
 
-bool PullVertex(ExactState& state, Id apex, const std::vector<Id>& others)
+bool PullVertex(ExactState& state, Id apex, Id other)
 {
   FlippableMesh& mesh = state.Mesh;
   Cone& cone = state.Scratch.Moved;
   cone.Start(mesh);
-  for (const Id other : others)
-  {
-    AddCrossed(state, apex, other);
-  }
-  const bool isCone = !cone.Cells.empty() && Grow(mesh, cone, apex);
+  const bool isCone = AddCrossed(state, apex, other) && Grow(mesh, cone, apex);
   mesh.Work().Spend(static_cast<std::int64_t>(cone.Cells.size()));
-  if (!isCone || !cone.Make(mesh, state.Segments, apex, apex) ||
-    cone.Fresh.size() > cone.Cells.size() + others.size() / 2)
+  if (!isCone || !cone.Make(mesh, state.Segments, apex, apex))
   {
     return false;
   }

@@ -6,17 +6,15 @@
 namespace insideout
 {
 /**
- * Connect a vertex with several others at once. The cells that the segments to them cross give way
- * to a cone from the vertex over the boundary of their union. Cells behind faces that do not see
- * the vertex belong to that union. Vertices, facets, segments and the hull stay; coplanar faces of
- * the hull may be triangulated another way.
+ * Connect a vertex with another. The cells that the segment between them crosses give way to a cone
+ * from the vertex over the boundary of their union. Cells behind faces that do not see the vertex
+ * belong to that union. Vertices, facets, segments and the hull stay; coplanar faces of the hull
+ * may be triangulated another way.
  *
  * Points of CAD models are (nearly) cospherical: more than one mesh is (nearly) Delaunay. This
- * chooses the one with the facets: the pulling triangulation (Lee 1991).
- *
- * Others behind a facet or segment are passed over. The mesh stays as it is where the cone would
- * break a constraint, or add more than one cell per two segments: flips add one for each.
- * @return whether the vertex is connected with all others that were not passed over
+ * chooses the one that facets need: the pulling triangulation (Lee 1991).
+ * @return whether the two are connected; else the mesh stays as it is, for a constraint is in the
+ *   way
  */
-bool PullVertex(ExactState& state, Id apex, const std::vector<Id>& others);
+bool PullVertex(ExactState& state, Id apex, Id other);
 } // namespace insideout

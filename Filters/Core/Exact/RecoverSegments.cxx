@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverSegments.h"
 
-#include "Common/Buckets.h"
 #include "Exact/FlipFlat.h"
 #include "Exact/Flips.h"
 #include "Exact/Phases.h"
@@ -35,53 +34,18 @@ std::vector<Id> FindMissingSegments(const ExactState& state, const std::vector<I
 
 // --- Pulls ---------------------------------------------------------------------------------------
 
-namespace
-{
-/** Missing segments of a vertex, from which on they are recovered at once. Flips recover fewer in
- * less work. */
-constexpr std::size_t LeastPulled = 4;
-} // namespace
-
 std::vector<Id> RecoverSegmentsByPulls(ExactState& state, const std::vector<Id>& missing)
 {
-  const FlippableMesh& mesh = state.Mesh;
-  const Buckets<Id> others(static_cast<std::size_t>(mesh.Infinite()),
-    [&](const auto& visit)
-    {
-      for (const Id segment : missing)
-      {
-        const std::array<Id, 2>& ends = state.Segments.EndsOf(segment);
-        visit(static_cast<std::size_t>(ends[0]), ends[1]);
-        visit(static_cast<std::size_t>(ends[1]), ends[0]);
-      }
-    });
-  const auto lacks = [&others](Id vertex) { return others[vertex].Size(); };
-  std::vector<Id> order;
-  for (Id vertex = 0; vertex < mesh.Infinite(); ++vertex)
-  {
-    if (lacks(vertex) >= LeastPulled)
-    {
-      order.push_back(vertex);
-    }
-  }
-  std::stable_sort(order.begin(), order.end(), [&](Id a, Id b) { return lacks(a) > lacks(b); });
-  for (std::size_t k = 0; k < order.size() && !mesh.Work().IsUsedUp(); ++k)
+  for (std::size_t k = 0; k < missing.size() && !state.Mesh.Work().IsUsedUp(); ++k)
   {
     if (k % SegmentsPerCheck == 0)
     {
       state.Report(Phases::RecoveringSegments);
     }
-    std::vector<Id> lacking;
-    for (const Id other : others[order[k]])
+    const std::array<Id, 2>& ends = state.Segments.EndsOf(missing[k]);
+    if (state.Mesh.FindEdge(ends[0], ends[1]) == None && !PullVertex(state, ends[0], ends[1]))
     {
-      if (mesh.FindEdge(order[k], other) == None)
-      {
-        lacking.push_back(other);
-      }
-    }
-    if (lacking.size() >= LeastPulled)
-    {
-      PullVertex(state, order[k], lacking);
+      PullVertex(state, ends[1], ends[0]);
     }
   }
   return FindMissingSegments(state, missing);

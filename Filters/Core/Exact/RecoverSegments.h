@@ -10,7 +10,7 @@ namespace insideout
 /** The segments without Steiner points that are no edges. */
 std::vector<Id> FindMissingSegments(const ExactState& state, const std::vector<Id>& segments);
 
-/** Connect each vertex with all missing neighbors at once, the vertices that lack most first. */
+/** Recover segments by pulling one of their ends, or else the other. */
 std::vector<Id> RecoverSegmentsByPulls(ExactState& state, const std::vector<Id>& missing);
 
 /** Recover segments by flips alone. */

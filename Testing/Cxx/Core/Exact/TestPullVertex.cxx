@@ -77,7 +77,7 @@ TEST(PullVertex, ConnectsAndKeepsTheMeshLawfulWithItsConstraints)
         continue;
       }
       const MeshRecord before(mesh.Mesh);
-      if (!PullVertex(mesh, apex, { other }))
+      if (!PullVertex(mesh, apex, other))
       {
         ExpectUnchanged(mesh.Mesh, before);
         continue;
@@ -98,22 +98,22 @@ TEST(PullVertex, ConnectsAndKeepsTheMeshLawfulWithItsConstraints)
   EXPECT_GT(pulled, 100);
 }
 
-TEST(PullVertex, ConnectsACornerOfAPolygonWithAllOthersAtOnce)
+TEST(PullVertex, ConnectsACornerOfAPolygonWithAllOthers)
 {
   const int sides = 12;
   const TriangleSoup soup = Prism(sides, 0);
   MeshWithFacets state(DelaunayMesh(soup.Points), {});
   const FlippableMesh& mesh = state.Mesh;
-  std::vector<Id> others;
+  int pulled = 0;
   for (Id vertex = 1; vertex < sides; ++vertex)
   {
     if (mesh.FindEdge(0, vertex) == None)
     {
-      others.push_back(vertex);
+      EXPECT_TRUE(PullVertex(state, 0, vertex));
+      ++pulled;
     }
   }
-  ASSERT_FALSE(others.empty());
-  ASSERT_TRUE(PullVertex(state, 0, others));
+  EXPECT_GT(pulled, 0);
   ExpectFlippableMeshLaws(mesh);
   for (Id vertex = 1; vertex < sides; ++vertex)
   {

@@ -196,6 +196,31 @@ TEST(RecoverSegments, FlipsGetNearlyAllAndSplitsTheRest)
   EXPECT_LT(left, missing / 4);
 }
 
+TEST(RecoverSegments, PullsGetMostAndFlipsSomeOfTheRest)
+{
+  std::size_t missing = 0;
+  std::size_t left = 0;
+  std::size_t stillLeft = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    std::mt19937 random(seed);
+    const std::vector<Point> points = AnyPoints(seed, 16);
+    Recovery recovery(points, FacetsThatDoNotMeet(points, random, 60));
+    const MeshRecord before(recovery.Mesh.Mesh);
+    const std::vector<Id> wanted = recovery.Missing();
+    const std::vector<Id> rest = RecoverSegmentsByPulls(recovery.Mesh, wanted);
+    EXPECT_EQ(rest, recovery.Missing());
+    ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
+    recovery.ExpectThere(rest);
+    missing += wanted.size();
+    left += rest.size();
+    stillLeft += RecoverSegmentsByFlips(recovery.Mesh, rest).size();
+  }
+  EXPECT_GT(missing, 100u);
+  EXPECT_LT(left, missing / 4);
+  EXPECT_LT(stillLeft, left);
+}
+
 TEST(RecoverSegments, SplitsAloneRecoverAllFromEitherEnd)
 {
   for (unsigned seed = 1; seed <= 16; ++seed)
