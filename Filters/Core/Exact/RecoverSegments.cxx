@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverSegments.h"
 
-#include "Exact/FlipFlat.h"
 #include "Exact/Flips.h"
 #include "Exact/Phases.h"
 #include "Exact/PullVertex.h"
@@ -227,17 +226,9 @@ bool SplitAndRecover(ExactState& state, Id segment, Id start, Id end)
     state.Report(Phases::SplittingSegments);
     // Points are made from the segment's own ends, which are short, not from Steiner points on it.
     Id point = None;
-    if (FirstCrossing(mesh, a, end).Kind == Crossing::ThroughEdge && MakeEdge(state, a, end))
-    {
-      return true;
-    }
     const Crossing crossing = FirstCrossing(mesh, a, end);
     if (crossing.Kind == Crossing::ThroughEdge)
     {
-      if (StarEdge(state, crossing.U, crossing.V))
-      {
-        continue;
-      }
       point = SplitCrossedEdge(mesh, start, end, crossing, mesh.VertexOffPlane(a, end, crossing.U));
     }
     else if (crossing.Kind == Crossing::AtVertex && crossing.U > mesh.Infinite() &&
