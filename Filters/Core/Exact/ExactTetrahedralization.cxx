@@ -84,7 +84,7 @@ bool Attempt(const std::vector<Point>& points, const std::vector<Triangle>& face
   std::vector<Id> all(names.size());
   std::iota(all.begin(), all.end(), 0);
   std::set<Id> givenUp;
-  if (RecoverConstraints(state, all, from, false, -1, givenUp))
+  if (RecoverConstraints(state, all, from, -1, givenUp))
   {
     RecoverLostFacets(state, points, from);
     FlipTwinsAway(state);

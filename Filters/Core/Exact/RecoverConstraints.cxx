@@ -42,7 +42,7 @@ void ShakeOff(ExactState& state, std::int64_t since, std::int64_t workBefore)
 } // namespace
 
 bool RecoverConstraints(ExactState& state, const std::vector<Id>& facets, SplitFrom from,
-  bool maySplitBeside, std::int64_t since, std::set<Id>& givenUp)
+  std::int64_t since, std::set<Id>& givenUp)
 {
   const std::int64_t begin = state.Mesh.Work().Spent();
   std::vector<Id> missing = MarkWholeFacets(state, facets);
@@ -55,13 +55,13 @@ bool RecoverConstraints(ExactState& state, const std::vector<Id>& facets, SplitF
   Tidy(state, state.Mesh.Infinite() + 1, since);
   ShakeOff(state, since, state.Mesh.Work().Spent() - begin);
 
-  std::vector<Id> left = RoundPoints(state, maySplitBeside, since);
+  std::vector<Id> left = RoundPoints(state, since);
   for (int rings = 0; !left.empty() && rings < RingsGivenUp; ++rings)
   {
     const std::set<Id> around = state.FacetsAround(left, rings);
     givenUp.insert(around.begin(), around.end());
     state.LetGo(around);
-    left = RoundPoints(state, maySplitBeside, since);
+    left = RoundPoints(state, since);
   }
   return left.empty();
 }

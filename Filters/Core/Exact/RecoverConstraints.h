@@ -10,11 +10,10 @@ namespace insideout
  * by Steiner points, which are removed or rounded to doubles. Facets with points that cannot be
  * rounded to doubles are given up.
  * @param[in] facets that are not there, in the order in which they are tried
- * @param[in] maySplitBeside as for RoundPoints
  * @param[in] since Steiner points around which nothing has changed since stay as they are
  * @param[in,out] givenUp gains the facets that were given up
  * @return whether all Steiner points could be rounded; otherwise the mesh is unusable
  */
 bool RecoverConstraints(ExactState& state, const std::vector<Id>& facets, SplitFrom from,
-  bool maySplitBeside, std::int64_t since, std::set<Id>& givenUp);
+  std::int64_t since, std::set<Id>& givenUp);
 } // namespace insideout

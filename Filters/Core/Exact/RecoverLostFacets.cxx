@@ -16,9 +16,6 @@ namespace
 /** Facets are taken out in fewer than this many rings of cells around a lost one. */
 constexpr unsigned RingsOfRuins = 3;
 
-/** Nearly all facets that are lost at first are there after fewer tries, without more points. */
-constexpr int TriesBeforeSplitting = 4;
-
 /** On facets that are lost, beside as much as all before took: a second or two. */
 constexpr std::int64_t WorkOnLostFacets = 100000000;
 
@@ -82,7 +79,7 @@ void ShakeCorners(ExactState& state, const std::vector<Id>& facets)
   }
 }
 
-bool Recreate(ExactState& state, const std::vector<Id>& ruins, SplitFrom from, bool maySplitBeside)
+bool Recreate(ExactState& state, const std::vector<Id>& ruins, SplitFrom from)
 {
   const std::int64_t since = state.Mesh.NumberOfChanges();
   state.LetGo({ ruins.begin(), ruins.end() });
@@ -93,7 +90,7 @@ bool Recreate(ExactState& state, const std::vector<Id>& ruins, SplitFrom from, b
     state.Segments.Restore(segment);
   }
   std::set<Id> givenUp;
-  return RecoverConstraints(state, ruins, from, maySplitBeside, since, givenUp);
+  return RecoverConstraints(state, ruins, from, since, givenUp);
 }
 } // namespace
 
@@ -107,8 +104,7 @@ void RecoverLostFacets(ExactState& state, const std::vector<Point>& points, Spli
     lost.empty() ? std::set<Id>() : FacetsThatCross(points, state.Facets, *state.Progress);
   std::vector<Id> wanted = Without(hopeless, lost);
   state.Mesh.ForgetUnused();
-  for (int tries = 0; !wanted.empty() && work.Spent() - begin < mostWork && !work.IsUsedUp();
-       ++tries)
+  while (!wanted.empty() && work.Spent() - begin < mostWork && !work.IsUsedUp())
   {
     state.Report(Phases::RecoveringLostFacets,
       static_cast<double>(work.Spent() - begin) / static_cast<double>(mostWork));
@@ -116,8 +112,7 @@ void RecoverLostFacets(ExactState& state, const std::vector<Point>& points, Spli
     state.Mesh.StartJournal();
     const SegmentTable segments = state.Segments;
     std::vector<Id> now;
-    bool isBetter =
-      Recreate(state, ChooseRuins(state, wanted), from, tries >= TriesBeforeSplitting);
+    bool isBetter = Recreate(state, ChooseRuins(state, wanted), from);
     if (isBetter)
     {
       now = FindLostFacets(state);

@@ -95,8 +95,7 @@ std::vector<Point> PlacesBeside(
   }
   return places;
 }
-} // namespace
-
+/** Places all along the way between two vertices, each a little aside, too. */
 std::vector<Point> PlacesBetween(const FlippableMesh& mesh, Id u, Id v)
 {
   const Point a = mesh.Vertices().Nearest(u);
@@ -124,6 +123,7 @@ std::vector<Point> PlacesBetween(const FlippableMesh& mesh, Id u, Id v)
   }
   return places;
 }
+} // namespace
 
 std::vector<Point> PlacesFor(const ExactState& state, Id point)
 {

@@ -11,7 +11,4 @@ namespace insideout
  * segment. The cells around need not stay positive there.
  */
 std::vector<Point> PlacesFor(const ExactState& state, Id point);
-
-/** Positions along the edge between two vertices, also a little beside it. */
-std::vector<Point> PlacesBetween(const FlippableMesh& mesh, Id u, Id v);
 } // namespace insideout

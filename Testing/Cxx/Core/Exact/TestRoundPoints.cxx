@@ -194,22 +194,6 @@ TEST(RoundPoints, GivesExactPointsPlacesInDoublesBesideWhatTheyLieOn)
   EXPECT_GT(rounded, 60u);
 }
 
-TEST(RoundPoints, RoundsSomehowToPlacesThatHold)
-{
-  std::size_t rounded = 0;
-  for (unsigned seed = 1; seed <= 10; ++seed)
-  {
-    MeshWithFacets mesh = WithExactPoints(seed);
-    const MeshRecord before(mesh.Mesh);
-    const std::size_t count = Unrounded(mesh.Mesh).size();
-    mesh.Random.seed(seed);
-    const std::vector<Id> left = RoundAtRandom(mesh);
-    ExpectRounded(mesh, before, left);
-    rounded += count - left.size();
-  }
-  EXPECT_GT(rounded, 30u);
-}
-
 TEST(RoundPoints, PutsAPointOfASegmentWhereADoubleIsExactlyOnIt)
 {
   MeshWithFacets mesh(MeshOfCells({ { { 0, 0, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } },
@@ -233,63 +217,5 @@ TEST(RoundPoints, APointThatHasNoPlaceIsReturnedAndLeftAsItIs)
   ASSERT_EQ(FacesOfFacets(MeshRecord(mesh.Mesh)).size(), 7u);
   const MeshRecord before(mesh.Mesh);
   EXPECT_EQ(RoundInOrder(mesh), (std::vector<Id>{ point }));
-  EXPECT_EQ(RoundAtRandom(mesh), (std::vector<Id>{ point }));
-  SplitBeside(mesh, { point });
   ExpectUnchanged(mesh.Mesh, before);
-}
-
-TEST(RoundPoints, SplitsSegmentsBesidePointsAndKeepsFacetsBetweenThem)
-{
-  int splits = 0;
-  for (unsigned seed = 1; seed <= 10; ++seed)
-  {
-    MeshWithFacets mesh = WithExactPoints(seed);
-    const std::vector<Id> points = Unrounded(mesh.Mesh);
-    const std::map<Id, std::set<Triangle>> facets = FacesOfFacets(MeshRecord(mesh.Mesh));
-    const Id first = mesh.Mesh.Vertices().Size();
-    mesh.Random.seed(seed);
-    SplitBeside(mesh, points);
-    ExpectFlippableMeshLaws(mesh.Mesh);
-    ExpectNearSurface(mesh);
-    EXPECT_EQ(
-      ConstraintViolations(mesh.Mesh, mesh.Segments, mesh.Facets), std::vector<std::string>());
-    std::map<Id, std::set<Triangle>> now = FacesOfFacets(MeshRecord(mesh.Mesh));
-    EXPECT_EQ(now.size(), facets.size());
-    splits += mesh.Mesh.Vertices().Size() - first;
-    for (Id p = first; p < mesh.Mesh.Vertices().Size(); ++p)
-    {
-      EXPECT_TRUE(mesh.Mesh.Vertices().IsDouble(p));
-      EXPECT_TRUE(mesh.Mesh.HasVertex(p));
-    }
-  }
-  EXPECT_GT(splits, 10);
-}
-
-TEST(RoundPoints, StirsOnlySteinerPointsAroundOthers)
-{
-  int stirred = 0;
-  for (unsigned seed = 1; seed <= 10; ++seed)
-  {
-    MeshWithFacets mesh = WithExactPoints(seed);
-    for (int k = 0; k < 4; ++k)
-    {
-      const std::vector<Id> cells = FiniteCells(mesh.Mesh);
-      mesh.SplitCell(cells[static_cast<std::size_t>(7 * k)]);
-    }
-    const MeshRecord before(mesh.Mesh);
-    const std::vector<Id> points = Unrounded(mesh.Mesh);
-    mesh.Random.seed(seed);
-    Stir(mesh, { points[0] });
-    const MeshRecord after(mesh.Mesh);
-    ExpectFlippableMeshLaws(mesh.Mesh);
-    ExpectNearSurface(mesh);
-    EXPECT_EQ(FacesOfFacets(before), FacesOfFacets(after));
-    for (Id p = 0; p < static_cast<Id>(after.Places.size()); ++p)
-    {
-      const bool isMoved = before.Places[p] != after.Places[p];
-      EXPECT_FALSE(isMoved && (p <= before.Infinite || p == points[0]));
-      stirred += isMoved ? 1 : 0;
-    }
-  }
-  EXPECT_GT(stirred, 5);
 }
