@@ -13,6 +13,7 @@
 #include "Run/AlgorithmMonitor.h"
 #include "Run/RunFilter.h"
 
+#include <vtkAlgorithmOutput.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -44,6 +45,7 @@ void vtkRefineTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
   os << indent << "MaximumCells: " << this->MaximumCells << "\n";
   os << indent << "SizingArrayName: " << this->SizingArrayName << "\n";
+  os << indent << "SizeRules: " << this->SizeRules << "\n";
   os << indent << "SurfaceTreatment: " << this->SurfaceTreatment << "\n";
   os << indent << "SurfaceTolerance: " << this->SurfaceTolerance << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
@@ -59,6 +61,7 @@ RefinementParameters vtkInsideOut::RefinementParametersOf(vtkRefineTetrahedra* f
   parameters.Sizes.EdgeLength = filter->GetEdgeLength();
   parameters.Sizes.Grading = filter->GetGrading();
   parameters.Sizes.MaximumVolume = filter->GetMaximumVolume();
+  parameters.Sizes.Rules = ReadSizeRules(filter->GetSizeRules());
   parameters.MaximumCells = filter->GetMaximumCells();
   if (filter->GetSurfaceTreatment() != vtkRefineTetrahedra::AUTOMATIC)
   {
@@ -76,7 +79,8 @@ RefinementParameters vtkInsideOut::RefinementParametersOf(vtkRefineTetrahedra* f
 bool vtkInsideOut::FollowsLengths(vtkRefineTetrahedra* filter)
 {
   return filter->GetSurfaceTreatment() == vtkRefineTetrahedra::AUTOMATIC &&
-    filter->GetEdgeLength() > 0;
+    (filter->GetEdgeLength() > 0 || !ReadSizeRules(filter->GetSizeRules()).empty() ||
+      filter->GetNumberOfInputConnections(1) > 0);
 }
 
 int vtkRefineTetrahedra::FillInputPortInformation(int port, vtkInformation* info)
@@ -109,7 +113,7 @@ int vtkRefineTetrahedra::RequestInformation(vtkInformation* vtkNotUsed(request),
 
 namespace
 {
-/** Add the lengths given by arrays. */
+/** Add the lengths given by arrays of an input, which may be null, and of a background. */
 void AddLengths(vtkUnstructuredGrid* input, vtkDataSet* background, const std::string& name,
   SizingParameters& sizes)
 {
@@ -122,7 +126,7 @@ void AddLengths(vtkUnstructuredGrid* input, vtkDataSet* background, const std::s
     }
     return;
   }
-  sizes.Lengths = vtkInsideOut::ReadLengths(input, name);
+  sizes.Lengths = input ? vtkInsideOut::ReadLengths(input, name) : std::vector<double>();
   if (background)
   {
     sizes.LengthAt = vtkInsideOut::LengthsWithin(background, name);
@@ -134,6 +138,16 @@ void AddLengths(vtkUnstructuredGrid* input, vtkDataSet* background, const std::s
   }
 }
 } // namespace
+
+void vtkInsideOut::AddBackground(vtkRefineTetrahedra* filter, SizingParameters& sizes)
+{
+  if (filter->GetNumberOfInputConnections(1) > 0)
+  {
+    filter->GetInputAlgorithm(1, 0)->Update(filter->GetInputConnection(1, 0)->GetIndex());
+    const std::string name = filter->GetSizingArrayName();
+    AddLengths(nullptr, JoinDataSets(filter->GetInputDataObject(1, 0), name), name, sizes);
+  }
+}
 
 int vtkRefineTetrahedra::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)

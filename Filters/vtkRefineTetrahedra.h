@@ -98,6 +98,20 @@ public:
   virtual const char* GetSizingArrayName() const { return this->SizingArrayName.c_str(); }
   ///@}
 
+  ///@{
+  /**
+   * Edge lengths by place, "WHAT=NUMBER; WHAT=NUMBER" and so on. The least of all lengths counts.
+   * The rule "curvature=24" asks for 24 edges per full turn of curved surfaces, between edges above
+   * FeatureAngle; "gap=3" for 3 cells across each wall. Lengths are those of "tag NAME=LENGTH", a
+   * tag of the boundary, "region NAME=LENGTH", a region's name or RegionId, and "point X Y Z
+   * [RADIUS]=LENGTH", a ball. Default empty: none. Tags are those of vtkRobustTetrahedralize. From
+   * there lengths grow by Grading. Without EdgeLength and "curvature", shorter edges of the surface
+   * stay short.
+   */
+  vtkSetStdStringFromCharMacro(SizeRules);
+  vtkGetCharFromStdStringMacro(SizeRules);
+  ///@}
+
   /** Treatment of the surface. */
   enum SurfaceTreatmentType
   {
@@ -168,6 +182,7 @@ protected:
   double MaximumVolume;
   int MaximumCells;
   std::string SizingArrayName;
+  std::string SizeRules;
   int SurfaceTreatment;
   double SurfaceTolerance;
   double FeatureAngle;

@@ -14,6 +14,7 @@
 #include "Out/KeptHull.h"
 #include "Out/MakeTetrahedra.h"
 #include "Out/MeshAhead.h"
+#include "Out/NameSizes.h"
 #include "Out/Summarize.h"
 #include "Run/AlgorithmMonitor.h"
 #include "Run/Cache.h"
@@ -301,6 +302,10 @@ vtkInsideOut::SolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
     options.Refinement.CouldBeTreated = false;
   }
   options.QuadraticCells = filter->GetRefinement()->GetQuadraticCells();
+  if (options.Refine)
+  {
+    vtkInsideOut::AddBackground(filter->GetRefinement(), options.Refinement.Sizes);
+  }
   return options;
 }
 } // namespace
@@ -327,7 +332,8 @@ bool vtkRobustTetrahedralize::PartsSolid()
 
 void vtkRobustTetrahedralize::CheckOptions()
 {
-  ReadTagRules(this->TagRules); // it throws before the work begins
+  ReadTagRules(this->TagRules); // they throw before the work begins
+  const std::vector<SizeRule> sizes = ReadSizeRules(this->Refinement->GetSizeRules());
   const auto refuse = [](const std::string& words)
   { throw Error(ErrorCode::InvalidParameter, words); };
   const std::string parting =
@@ -343,6 +349,11 @@ void vtkRobustTetrahedralize::CheckOptions()
   {
     refuse(pieces + " does not go together with " + parting);
   }
+  if (this->Refine && (this->PartsSolid() || changesPieces) && vtkInsideOut::SizesNameTags(sizes))
+  {
+    refuse((changesPieces ? pieces : parting) +
+      " does not go together with SizeRules of tags, for cells lose theirs");
+  }
   const int treatment = this->Refinement->GetSurfaceTreatment();
   if (this->Refine && treatment != vtkRefineTetrahedra::KEPT &&
     (this->PartsSolid() || changesPieces))
@@ -355,7 +366,9 @@ void vtkRobustTetrahedralize::CheckOptions()
     }
     if (vtkInsideOut::FollowsLengths(this->Refinement))
     {
-      vtkInsideOut::Warn(this, { words + ", and so it is though EdgeLength is given" });
+      const std::string given =
+        this->Refinement->GetEdgeLength() > 0 ? "EdgeLength is" : "SizeRules are";
+      vtkInsideOut::Warn(this, { words + ", and so it is though " + given + " given" });
     }
   }
 }

@@ -129,8 +129,8 @@ public:
   ///@}
 
   ///@{
-  /** The stages with further options. Their inputs and outputs are not used, nor are their
-   * ExtractInside and SizingArrayName. Setting null does nothing. */
+  /** The stages with further options. Their inputs and outputs are not used, but for the background
+   * of GetRefinement(), nor is their ExtractInside. Setting null does nothing. */
   void SetWindingNumber(vtkGeneralizedWindingNumber* windingNumber);
   vtkGeneralizedWindingNumber* GetWindingNumber();
   void SetSegmentation(vtkGraphCutSegmentation* segmentation);

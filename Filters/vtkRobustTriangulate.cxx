@@ -180,6 +180,14 @@ void vtkRobustTriangulate::CheckOptions()
     throw Error(ErrorCode::InvalidParameter,
       "the input lies in a plane, where the boundary can be kept or split, not remeshed");
   }
+  if (this->Refine &&
+    (!std::string(this->Refinement->GetSizeRules()).empty() ||
+      this->Refinement->GetNumberOfInputConnections(1) > 0))
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "SizeRules and a background are of surfaces in space, and the input lies in a plane: set "
+      "EdgeLength");
+  }
 }
 
 int vtkRobustTriangulate::RequestData(vtkInformation* vtkNotUsed(request),

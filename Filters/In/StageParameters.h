@@ -56,9 +56,12 @@ insideout::SegmentMeshParameters SegmentParametersOf(vtkGraphCutSegmentation* fi
 insideout::RefinementParameters RefinementParametersOf(vtkRefineTetrahedra* filter);
 ///@}
 
-/** Whether a surface in space is remeshed because SurfaceTreatment is automatic and EdgeLength is
+/** Whether a surface in space is remeshed because SurfaceTreatment is automatic and lengths are
  * given. */
 bool FollowsLengths(vtkRefineTetrahedra* filter);
+
+/** Add the lengths of the background that a stage has, if any. @throws insideout::Error */
+void AddBackground(vtkRefineTetrahedra* filter, insideout::SizingParameters& sizes);
 
 /** Set another stage as the source of a filter's options; null for none. */
 template <typename Filter, typename Stage>

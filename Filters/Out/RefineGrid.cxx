@@ -9,6 +9,7 @@
 #include "Data/Attributes.h"
 #include "In/ReadGrid.h"
 #include "Out/MixInCells.h"
+#include "Out/NameSizes.h"
 #include "Out/RefineBoundary.h"
 #include "Quality/QualityOfMesh.h"
 #include "Quality/SolverFitness.h"
@@ -263,25 +264,87 @@ double StatisticOf(const RefinedMesh& refined, const std::string& wanted)
   return 0;
 }
 
-/** The lengths of edges of the boundary and between regions, once for each face of a cell there. */
-std::vector<double> SurfaceEdges(const RefinedMesh& refined)
+/** Call visit(p, q) for the edges of the boundary and between regions, once for each face of a cell
+ * there. */
+template <class Visitor>
+void VisitSurfaceEdges(const RefinedMesh& refined, const Visitor& visit)
 {
-  std::vector<double> lengths;
   for (std::size_t c = 0; c < refined.Cells.size(); ++c)
   {
     for (int k = 0; k < 4; ++k)
     {
       if (refined.OriginalFaces[c][k] != None)
       {
-        const auto corners = CornersOf(refined.Points, FaceOf(refined.Cells[c], k));
+        const Triangle corners = FaceOf(refined.Cells[c], k);
         for (int corner = 0; corner < 3; ++corner)
         {
-          lengths.push_back(Distance(corners[corner], corners[(corner + 1) % 3]));
+          visit(corners[corner], corners[(corner + 1) % 3]);
         }
       }
     }
   }
+}
+
+/** Their lengths. */
+std::vector<double> SurfaceEdges(const RefinedMesh& refined)
+{
+  std::vector<double> lengths;
+  VisitSurfaceEdges(refined,
+    [&](Id a, Id b) { lengths.push_back(Distance(refined.Points[a], refined.Points[b])); });
   return lengths;
+}
+
+/** The lengths of these edges in those that rules ask for at their ends. */
+std::vector<double> SurfaceEdgesInLengths(const RefinedMesh& refined)
+{
+  std::vector<double> ratios;
+  VisitSurfaceEdges(refined,
+    [&](Id a, Id b)
+    {
+      const double asked = (refined.LengthsByRules[a] + refined.LengthsByRules[b]) / 2;
+      ratios.push_back(Distance(refined.Points[a], refined.Points[b]) / asked);
+    });
+  return ratios;
+}
+
+double MedianOf(std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** A message on how the surface's edges differ from what rules ask for; empty if they do not. */
+std::string OtherEdgesThanRules(const RefinedMesh& refined, const RefinementParameters& parameters)
+{
+  constexpr double MostTimes = 2;
+  if (refined.LengthsByRules.empty())
+  {
+    return {};
+  }
+  std::vector<double> ratios = SurfaceEdgesInLengths(refined);
+  std::ostringstream words;
+  words << std::setprecision(3);
+  const bool asksForCurvature =
+    std::any_of(parameters.Sizes.Rules.begin(), parameters.Sizes.Rules.end(),
+      [](const SizeRule& rule) { return rule.What == SizeRule::Kind::Curvature; });
+  const double most = *std::max_element(ratios.begin(), ratios.end());
+  if (parameters.Surface == SurfaceTreatment::Kept && most > MostTimes)
+  {
+    words << "edges of the surface, which is kept, are up to " << most
+          << " times as long as SizeRules asks for"
+          << (parameters.CouldBeTreated ? ": SurfaceTreatment split or remeshed makes them as short"
+                                        : "");
+  }
+  else if (const double middle = MedianOf(ratios); asksForCurvature &&
+           parameters.Surface == SurfaceTreatment::Remeshed && middle < 1 / MostTimes)
+  {
+    words << "half of the edges of the surface are shorter than " << middle
+          << " times what SizeRules asks for, for it stays within SurfaceTolerance, "
+          << StatisticOf(refined, "SurfaceTolerance")
+          << ", and keeps edges above FeatureAngle: larger ones make it coarser";
+  }
+  return words.str();
 }
 
 /** A message on how the surface's edges differ from the wanted lengths; empty if they do not. */
@@ -306,26 +369,29 @@ std::string OtherEdgesThanAsked(const RefinedMesh& refined, const RefinementPara
     return longest > MostTimes * asked ? words.str() : std::string();
   }
   const bool isByLengthAlone = parameters.Sizes.Lengths.empty() && !parameters.Sizes.LengthAt &&
-    parameters.Sizes.MaximumVolume == 0;
+    parameters.Sizes.Rules.empty() && parameters.Sizes.MaximumVolume == 0;
   if (parameters.Surface != SurfaceTreatment::Remeshed || !isByLengthAlone)
   {
     return {};
   }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double middle = MedianOf(lengths);
   words << "EdgeLength is " << asked << ", and half of the edges of the surface are shorter than "
-        << std::setprecision(3) << *middle << ", for it stays within SurfaceTolerance, "
+        << std::setprecision(3) << middle << ", for it stays within SurfaceTolerance, "
         << StatisticOf(refined, "SurfaceTolerance")
         << ", and keeps edges above FeatureAngle: larger ones make it coarser";
-  return *middle < asked / MostTimes ? words.str() : std::string();
+  return middle < asked / MostTimes ? words.str() : std::string();
 }
 
 void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameters,
   std::vector<std::string>& warnings)
 {
-  if (const std::string words = OtherEdgesThanAsked(refined, parameters); !words.empty())
+  for (const std::string& words :
+    { OtherEdgesThanAsked(refined, parameters), OtherEdgesThanRules(refined, parameters) })
   {
-    warnings.push_back(words);
+    if (!words.empty())
+    {
+      warnings.push_back(words);
+    }
   }
   if (const double large = StatisticOf(refined, "CellsAboveMaximumVolume"); large > 0)
   {
@@ -354,12 +420,15 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   CheckGrid(grid);
   RefinementParameters parameters = given;
   const bool isKept = parameters.Surface == SurfaceTreatment::Kept;
-  const std::vector<Id> regions =
-    isKept ? SplitByBodies(ReadRegions(grid), grid) : ReadRegions(grid);
+  const std::vector<Id> ownRegions = ReadRegions(grid);
+  const std::vector<Id> regions = isKept ? SplitByBodies(ownRegions, grid) : ownRegions;
   const TetrahedralMesh mesh = ReadTetrahedra(grid);
-  if (boundary && parameters.Surface == SurfaceTreatment::Remeshed)
+  NameSizes(grid, boundary, parameters.Sizes);
+  const bool needsTags =
+    parameters.Surface == SurfaceTreatment::Remeshed || SizesNameTags(parameters.Sizes.Rules);
+  if (boundary && needsTags)
   {
-    parameters.Labels = LabelsOf(mesh, regions, boundary);
+    parameters.Labels = LabelsOf(mesh, ownRegions, boundary);
   }
   const RefinedMesh refined = RefineTetrahedra(mesh, regions, parameters, monitor);
   QuadraticCells secondOrder;

@@ -100,7 +100,7 @@ def refinement(on: Settings) -> list[tuple[str, list[object], Settings]]:
     return [
         *[("EdgeLength", [Length(0.125)], on), ("Grading", [0.125, 2], on), ("MaximumVolume", [Length(1 / 256, 3)], on)],
         *[("SurfaceTreatment", [1, 2], short), ("SurfaceTolerance", [Length(1 / 64)], {**short, "SurfaceTreatment": 2})],
-        *[("FeatureAngle", [60], {**short, "SurfaceTreatment": 2}), ("QuadraticCells", [True], on)],
+        *[("FeatureAngle", [60], {**short, "SurfaceTreatment": 2}), ("SizeRules", ["curvature=12; gap=1"], on), ("QuadraticCells", [True], on)],
     ]
 
 

@@ -77,7 +77,7 @@ class Success(CommandLine):
                         **{"largest_regions": 0, "minimum_region_volume": 0, "seeded_regions": False, "fill_cavities": False, "topology": "any"},
                         **{"tag_array": None, "tag_rules": None, "non_participating_array": None, "merge_coplanar_pieces": False, "split_seams": False, "surface_only": False},
                         **{"body_array": None, "parts_apart": False, "region_rule": "by-priority", "priority": None},
-                        **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "maximum_cells": 10000000, "surface_treatment": "automatic"},
+                        **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "maximum_cells": 10000000, "size_rules": None, "surface_treatment": "automatic"},
                         **{"surface_tolerance": 0, "feature_angle": 30, "quadratic_cells": False},
                     },
                 )

@@ -51,7 +51,7 @@ UNUSED_OF_STAGES = {
     "SizingArrayName": "the grid that it would be an array of is made within",
 }
 
-UNUSED_IN_A_PLANE = {"MaximumCells", "SurfaceTolerance", "FeatureAngle", "QuadraticCells"}
+UNUSED_IN_A_PLANE = {"MaximumCells", "SizeRules", "SurfaceTolerance", "FeatureAngle", "QuadraticCells"}
 """Boundaries are not remeshed there."""
 
 NO_OPTIONS_OF_PANELS = {"ExtractInside": "tells states of before where the hull is", "ObjectName": "is what messages begin with", "Summary": "is told, not set"}

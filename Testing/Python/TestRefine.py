@@ -131,8 +131,8 @@ class Surface(unittest.TestCase):
         np.testing.assert_allclose(np.einsum("tpk,tk->tp", places, normals), 0, atol=1e-12)
 
     def test_options_that_join_triangles_take_a_surface_that_is_kept(self):
-        for option, name in (("merge_coplanar_pieces", "MergeCoplanarPieces"), ("split_seams", "SplitSeams")):
-            with self.assertRaisesRegex(insideout.Error, f"{name} takes a surface that is kept"):
+        for option in ("merge_coplanar_pieces", "split_seams"):
+            with self.assertRaisesRegex(insideout.Error, f"{option} takes a surface that is kept"):
                 insideout.tetrahedralize(surfaces.two_boxes(), refine=True, surface_treatment="split", **{option: True})
             made = insideout.tetrahedralize(surfaces.two_boxes(), edge_length=0.3, **{option: True})
             self.assertIn(f"{option} takes a surface that is kept where the solid is refined, and so it is though edge_length is given", made.warnings)
@@ -167,10 +167,10 @@ class Lengths(unittest.TestCase):
 
     def test_lengths_that_would_make_too_many_cells_are_refused_before_any_work(self):
         cube = surfaces.box(size=10)
-        refusal = r"edges as short as asked for would make about 6\.8e\+07 cells, more than MaximumCells, 10000000: they take some 27 GiB"
+        refusal = r"edges as short as asked for would make about 6\.8e\+07 cells, more than maximum_cells, 10000000: they take some 27 GiB"
         with self.assertRaisesRegex(insideout.Error, refusal):
             insideout.tetrahedralize(cube, edge_length=0.05)
-        with self.assertRaisesRegex(insideout.Error, "more than MaximumCells, 1000"):
+        with self.assertRaisesRegex(insideout.Error, "more than maximum_cells, 1000"):
             insideout.tetrahedralize(cube, edge_length=1, maximum_cells=1000)
         self.assertGreater(len(insideout.tetrahedralize(cube, edge_length=1, maximum_cells=0).solid.cells), 1000)
 

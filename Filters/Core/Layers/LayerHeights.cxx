@@ -2,6 +2,7 @@
 #include "Layers/LayerHeights.h"
 
 #include "Common/Vectors.h"
+#include "Refine/FacetAhead.h"
 
 #include <algorithm>
 #include <functional>
@@ -18,12 +19,6 @@ constexpr double ShareOfGap = 1.0 / 3;
 
 /** Least share of a wall edge behind the layers. */
 constexpr double LeastShareOfEdge = 0.25;
-
-/** Cosine below which a way runs along a face, as it does in the planes of rims. */
-constexpr double LeastCosineThrough = 1e-5;
-
-/** A way through cells is a few; one among flat cells may turn in a circle by rounding. */
-constexpr int MostSteps = 2000;
 
 /** The cell around a point that its direction leads into; None if rounding hides it. */
 Id CellAhead(
@@ -58,45 +53,9 @@ Id CellAhead(
 double WayToFacet(const RefinableMesh& mesh, Id point, const std::vector<Id>& star,
   const Point& direction, double enough)
 {
-  const Point& from = mesh.Points[point];
-  Id cell = CellAhead(mesh, point, star, direction);
-  int entry = -1;
-  double way = 0;
-  for (int step = 0; cell != None && way <= enough && step < MostSteps; ++step)
-  {
-    int exit = -1;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 4; ++k)
-    {
-      const bool isAtPoint = step == 0 && mesh.Cell(cell).Corners[k] != point;
-      const auto corners = CornersOf(mesh.Points, mesh.FaceCorners(cell, k));
-      const Point normal = NormalOf(corners[0], corners[1], corners[2]); // inward
-      const double along = Dot(normal, direction);
-      if (k == entry || isAtPoint || !(along < -LeastCosineThrough * Length(normal)))
-      {
-        continue;
-      }
-      const double there = Dot(normal, Difference(corners[0], from)) / along;
-      if (there < nearest)
-      {
-        nearest = there;
-        exit = k;
-      }
-    }
-    if (exit < 0)
-    {
-      break; // by rounding
-    }
-    way = std::max(way, nearest);
-    if (mesh.Cell(cell).Facets[exit] != None)
-    {
-      return way;
-    }
-    const Id next = mesh.Cell(cell).Neighbors[exit];
-    entry = mesh.MirrorIndex(cell, exit);
-    cell = next;
-  }
-  return way > enough ? std::numeric_limits<double>::infinity() : way;
+  const Id cell = CellAhead(mesh, point, star, direction);
+  const int exit = cell == None ? -1 : mesh.CornerIndex(cell, point);
+  return FindFacetAhead(mesh, { mesh.Points[point], cell, -1, exit }, direction, enough).Way;
 }
 
 /** Lower what would make edges of the wall too short, or turn them over. */

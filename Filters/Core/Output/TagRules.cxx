@@ -4,17 +4,15 @@
 #include "Common/Box.h"
 #include "Common/DisjointSets.h"
 #include "Common/Edge.h"
-#include "Common/Error.h"
 #include "Common/NearestPoint.h"
+#include "Common/RuleText.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <unordered_map>
 
 namespace insideout
@@ -55,65 +53,33 @@ const Word Words[] = {
 };
 constexpr const char* WordOfArray = "array";
 
-std::vector<std::string> Split(const std::string& text, char separator)
-{
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-  {
-    if (c == separator)
-    {
-      parts.emplace_back();
-    }
-    else
-    {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
-std::string Trimmed(const std::string& text)
-{
-  const char* const blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-[[noreturn]] void Refuse(const std::string& rule, const std::string& words)
-{
-  throw Error(ErrorCode::InvalidParameter, "the rule " + rule + " " + words);
-}
-
 /** A direction that is to have a length. */
 void CheckDirection(const TagCondition& condition, std::size_t first, const std::string& rule)
 {
   const std::vector<double>& n = condition.Numbers;
   if (!(Length({ { n[first], n[first + 1], n[first + 2] } }) > 0))
   {
-    Refuse(rule, "has a direction without a length");
+    RefuseRule(rule, "has a direction without a length");
   }
 }
 
 TagCondition ReadCondition(const std::string& given, const std::string& rule)
 {
-  const std::string text = Trimmed(given);
-  const std::string head = text.substr(0, text.find_first_of(" \t"));
-  const std::string tail = Trimmed(text.substr(head.size()));
+  const auto [head, tail] = SplitHead(Trimmed(given));
   if (head.empty())
   {
-    Refuse(rule, "has a condition without a word");
+    RefuseRule(rule, "has a condition without a word");
   }
   if (head == WordOfArray)
   {
     if (tail.empty())
     {
-      Refuse(rule, "names no array");
+      RefuseRule(rule, "names no array");
     }
     return { Kind::Array, {}, tail };
   }
-  const auto* const word = std::find_if(
-    std::begin(Words), std::end(Words), [&](const Word& one) { return one.Text == head; });
+  const auto* const word = std::find_if(std::begin(Words), std::end(Words),
+    [&head = head](const Word& one) { return one.Text == head; });
   if (word == std::end(Words))
   {
     std::string known;
@@ -121,33 +87,19 @@ TagCondition ReadCondition(const std::string& given, const std::string& rule)
     {
       known += std::string(one.Text) + ", ";
     }
-    Refuse(rule, "begins with \"" + head + "\"; it can be " + known + "or " + WordOfArray);
+    RefuseRule(rule, "begins with \"" + head + "\"; it can be " + known + "or " + WordOfArray);
   }
-  TagCondition condition = { word->What, {}, "" };
-  std::string numbers = tail;
-  std::replace(numbers.begin(), numbers.end(), ',', ' ');
-  std::istringstream words(numbers);
-  for (std::string one; words >> one;)
-  {
-    std::istringstream stream(one);
-    stream.imbue(std::locale::classic());
-    double number = 0;
-    if (!(stream >> number) || !stream.eof() || !std::isfinite(number))
-    {
-      Refuse(rule, "has \"" + one + "\" in place of a number");
-    }
-    condition.Numbers.push_back(number);
-  }
+  TagCondition condition = { word->What, NumbersOf(tail, rule), "" };
   const std::size_t count = condition.Numbers.size();
   if (count != word->Numbers && !(word->Default && count == word->Numbers + 1))
   {
-    Refuse(rule,
+    RefuseRule(rule,
       "has " + std::to_string(count) + " numbers behind " + head + ", which takes " + word->Takes);
   }
   const bool isAtLeast0 = condition.What == Kind::Sphere || count > word->Numbers;
   if (isAtLeast0 && condition.Numbers.back() < 0)
   {
-    Refuse(rule, "ends with a number below 0");
+    RefuseRule(rule, "ends with a number below 0");
   }
   if (word->Default && count == word->Numbers)
   {
@@ -383,7 +335,7 @@ private:
 std::vector<TagRule> ReadTagRules(const std::string& text)
 {
   std::vector<TagRule> rules;
-  for (const std::string& part : Split(text, ';'))
+  for (const std::string& part : SplitText(text, ';'))
   {
     TagRule rule;
     rule.Text = Trimmed(part);
@@ -395,9 +347,9 @@ std::vector<TagRule> ReadTagRules(const std::string& text)
     rule.Name = Trimmed(rule.Text.substr(0, equals));
     if (equals == std::string::npos || rule.Name.empty())
     {
-      Refuse(rule.Text, "is no name, an equals sign and a condition");
+      RefuseRule(rule.Text, "is no name, an equals sign and a condition");
     }
-    for (const std::string& condition : Split(rule.Text.substr(equals + 1), '&'))
+    for (const std::string& condition : SplitText(rule.Text.substr(equals + 1), '&'))
     {
       rule.Conditions.push_back(ReadCondition(condition, rule.Text));
     }

@@ -15,6 +15,7 @@
 #include "Refine/MakeRefinable.h"
 #include "Refine/RefinedSurface.h"
 #include "Refine/RemeshSurface.h"
+#include "Refine/SizesByRules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -250,18 +251,45 @@ Id CountSurfacePoints(const RefinableMesh& mesh, std::size_t before)
   return count;
 }
 
+/** Lengths wanted at the points of a result, but for arrays of the input's points. */
+std::vector<double> LengthsByRules(
+  const RefinedMesh& result, const std::vector<Id>& regions, const SizingParameters& sizes)
+{
+  if (sizes.Rules.empty())
+  {
+    return {};
+  }
+  std::vector<double> lengths;
+  for (const Point& point : result.Points)
+  {
+    const double everywhere =
+      sizes.EdgeLength > 0 ? sizes.EdgeLength : std::numeric_limits<double>::infinity();
+    lengths.push_back(sizes.LengthAt ? std::min(everywhere, sizes.LengthAt(point)) : everywhere);
+  }
+  for (std::size_t c = 0; c < result.Cells.size() && !sizes.LengthOfRegion.empty(); ++c)
+  {
+    const std::size_t region = regions.empty() ? 0 : regions[result.OriginalCells[c]];
+    for (const Id p : result.Cells[c])
+    {
+      lengths[p] = std::min(lengths[p], sizes.LengthOfRegion[region]);
+    }
+  }
+  return lengths;
+}
+
 RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  const RefinementParameters& parameters, Monitor& caller)
+  const RefinementParameters& given, Monitor& caller)
 {
   ForwardMonitor monitor(caller);
-  SurfaceOfRun run = { FacetsOf(mesh, regions, parameters.Labels), {},
-    parameters.SurfaceTolerance };
+  SurfaceOfRun run = { FacetsOf(mesh, regions, given.Labels), {}, given.SurfaceTolerance };
   if (!(run.Tolerance > 0))
   {
     const Box box = BoundingBox(mesh.Points);
     run.Tolerance = RefinementParameters::DefaultTolerance * box.Extent(box.LongestAxis());
   }
   monitor.Check(Stages::Refining, 0);
+  RefinementParameters parameters = given;
+  parameters.Sizes = SizesByRules(mesh, regions, run.Facets, given, monitor);
   RefinableMesh refinable = RunWithoutCrossings(mesh, regions, run, parameters, monitor);
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
@@ -284,6 +312,8 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
     found = regions[found] == regions[near[c]] ? found : near[c];
   }
   locator.Locate(result.Points, result.CellsOfPoints, monitor, { Stages::Refining, 0.97, 1 });
+
+  result.LengthsByRules = LengthsByRules(result, regions, parameters.Sizes);
 
   const auto kept = static_cast<Id>(result.OriginalPoints.size() -
     std::count(result.OriginalPoints.begin(), result.OriginalPoints.end(), None));
@@ -331,9 +361,20 @@ SizingParameters Scaled(const SizingParameters& parameters, int exponent)
   SizingParameters scaled = parameters;
   scaled.EdgeLength = ScaledSize(parameters.EdgeLength, exponent);
   scaled.MaximumVolume = ScaledSize(parameters.MaximumVolume, 3 * exponent);
-  for (double& length : scaled.Lengths)
+  for (std::vector<double>* lengths : { &scaled.Lengths, &scaled.LengthOfCell })
   {
-    length = ScaledSize(length, exponent);
+    for (double& length : *lengths)
+    {
+      length = ScaledSize(length, exponent);
+    }
+  }
+  for (SizeRule& rule : scaled.Rules)
+  {
+    const bool isLength =
+      rule.What != SizeRule::Kind::Curvature && rule.What != SizeRule::Kind::Gap;
+    rule.Value = isLength ? ScaledSize(rule.Value, exponent) : rule.Value;
+    rule.Radius = ScaledSize(rule.Radius, exponent);
+    rule.Center = ScaledPoints({ rule.Center }, exponent).front();
   }
   if (parameters.LengthAt)
   {
@@ -365,6 +406,10 @@ RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>&
   other.SurfaceTolerance = ScaledSize(parameters.SurfaceTolerance, -exponent);
   RefinedMesh result = RefineNearUnitSize(scaled, regions, other, monitor);
   result.Points = ScaledPoints(result.Points, exponent);
+  for (double& length : result.LengthsByRules)
+  {
+    length = std::ldexp(length, exponent);
+  }
   for (auto& [name, value] : result.Statistics)
   {
     const bool isLength =

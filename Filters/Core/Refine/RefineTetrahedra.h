@@ -54,6 +54,10 @@ struct RefinedMesh
   /** Per point, an input cell that contains it, or is near it. */
   std::vector<Id> CellsOfPoints;
 
+  /** Per point, the length that is wanted there, but for arrays of the input's points; infinite for
+   * none. Empty where no rules are given. */
+  std::vector<double> LengthsByRules;
+
   insideout::Statistics Statistics;
 };
 

@@ -443,7 +443,7 @@ void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound&
     }
     else
     {
-      if (round == RoundsOfWishes && !sizes.IsAskedFor())
+      if (round == RoundsOfWishes && !sizes.ReplacesSurface())
       {
         sizes.ShortenAtThinTriangles();
       }

@@ -29,11 +29,16 @@ constexpr double LeastShare = 1.0 / 4;
  */
 constexpr double MostHeights = 2;
 
-double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
+/**
+ * Cells are halved for the estimate until they are no longer than this, in lengths there; parts
+ * are at least a millionth of the cell: a limit of work.
+ */
+constexpr double LongestPart = 4;
+constexpr int MostHalvings = 20;
+
+double VolumeOf(const std::array<Point, 4>& c)
 {
-  return Determinant(Difference(points[c[1]], points[c[0]]), Difference(points[c[2]], points[c[0]]),
-           Difference(points[c[3]], points[c[0]])) /
-    6;
+  return Determinant(Difference(c[1], c[0]), Difference(c[2], c[0]), Difference(c[3], c[0])) / 6;
 }
 
 /** Volume of a regular tetrahedron with edges of length 1. */
@@ -60,8 +65,16 @@ SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters
   this->AtPoints.resize(mesh.Points.size());
   for (std::size_t p = 0; p < mesh.Points.size(); ++p)
   {
-    const double wanted = parameters.Lengths.empty() ? Infinite : parameters.Lengths[p];
-    this->AtPoints[p] = { Infinite, this->WantedAt(mesh.Points[p], wanted) };
+    const double given = parameters.Lengths.empty() ? Infinite : parameters.Lengths[p];
+    this->AtPoints[p] = { Infinite, this->WantedAt(mesh.Points[p], given), given };
+  }
+  for (Id c = 0; c < mesh.NumberOfCells() && !parameters.LengthOfRegion.empty(); ++c)
+  {
+    for (const Id p : mesh.Cell(c).Corners)
+    {
+      double& wanted = this->AtPoints[p].Wanted;
+      wanted = std::min(wanted, this->LengthOfRegion(mesh.Cell(c).Region));
+    }
   }
   this->FollowSurface();
 }
@@ -69,7 +82,7 @@ SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters
 bool SizingField::IsAskedFor() const
 {
   return this->Everywhere < Infinite || !this->Parameters.Lengths.empty() ||
-    this->Parameters.LengthAt;
+    !this->Parameters.LengthOfRegion.empty() || this->Parameters.LengthAt;
 }
 
 void SizingField::SetSizes()
@@ -113,7 +126,8 @@ void SizingField::FollowWishes()
 {
   for (Lengths& there : this->AtPoints)
   {
-    there.Surface = there.Wanted < Infinite ? Infinite : there.Surface;
+    const bool isReplaced = there.Wanted < Infinite && this->ReplacesSurface();
+    there.Surface = isReplaced ? Infinite : there.Surface;
   }
   this->SetSizes();
 }
@@ -122,6 +136,12 @@ double SizingField::WantedAt(const Point& place, double otherwise) const
 {
   const double there = this->Parameters.LengthAt ? this->Parameters.LengthAt(place) : Infinite;
   return std::min({ this->Everywhere, otherwise, there });
+}
+
+double SizingField::LengthOfRegion(Id region) const
+{
+  const std::vector<double>& lengths = this->Parameters.LengthOfRegion;
+  return lengths.empty() ? Infinite : lengths[region];
 }
 
 /**
@@ -207,13 +227,13 @@ void SizingField::Grow()
 SizingField::Lengths SizingField::LengthsAt(Id cell, const Point& place) const
 {
   const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
-  Lengths result = { Infinite, 0 };
+  Lengths result = { Infinite, 0, 0 };
   double weights = 0;
-  bool isWanted = false;
+  bool isGiven = false;
   for (int k = 0; k < 4; ++k)
   {
     const Lengths& there = this->AtPoints[corners[k]];
-    isWanted = isWanted || there.Wanted < Infinite;
+    isGiven = isGiven || there.Array < Infinite;
     result.Surface = std::min(result.Surface,
       there.Surface + this->Parameters.Grading * Distance(this->Mesh.Points[corners[k]], place));
     // The weight of a corner is the volume between the place and the opposite face.
@@ -222,10 +242,11 @@ SizingField::Lengths SizingField::LengthsAt(Id cell, const Point& place) const
       Determinant(Difference(this->Mesh.Points[f[1]], place),
         Difference(this->Mesh.Points[f[0]], place), Difference(this->Mesh.Points[f[2]], place)));
     weights += weight;
-    result.Wanted += weight * std::min(there.Wanted, std::numeric_limits<double>::max());
+    result.Array += weight * std::min(there.Array, std::numeric_limits<double>::max());
   }
-  result.Wanted = isWanted && weights > 0 ? result.Wanted / weights : Infinite;
-  result.Wanted = this->WantedAt(place, result.Wanted);
+  result.Array = isGiven && weights > 0 ? result.Array / weights : Infinite;
+  result.Wanted = std::min(
+    this->WantedAt(place, result.Array), this->LengthOfRegion(this->Mesh.Cell(cell).Region));
   return result;
 }
 
@@ -244,15 +265,41 @@ double SizingField::EstimatedCells() const
   double cells = 0;
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
   {
-    if (this->Mesh.IsDead(c))
+    if (!this->Mesh.IsDead(c))
     {
-      continue;
+      cells += 1 + this->CellsIn(c, CornersOf(this->Mesh.Points, this->Mesh.Cell(c).Corners), 0);
     }
-    // Lengths grow from the corners, so that small ones act only near these.
-    const Tetrahedron& corners = this->Mesh.Cell(c).Corners;
-    const double size = this->At(c, Barycentre(this->Mesh.Points, corners));
-    cells += 1 + VolumeOf(this->Mesh.Points, corners) / VolumeOfEdge(size);
   }
   return cells;
+}
+
+/** The estimated number in a part of a cell, which is halved where lengths may differ within it. */
+double SizingField::CellsIn(Id cell, const std::array<Point, 4>& corners, int halvings) const
+{
+  // Lengths grow from the corners, so that small ones act only near these.
+  const Point middle = Midpoint(Midpoint(corners[0], corners[1]), Midpoint(corners[2], corners[3]));
+  const double size = this->At(cell, middle);
+  if (this->Parameters.LengthAt && halvings < MostHalvings)
+  {
+    std::array<int, 2> longest = { { 0, 1 } };
+    for (const auto& [i, j] : TetrahedronEdges)
+    {
+      const bool isLonger =
+        Distance(corners[i], corners[j]) > Distance(corners[longest[0]], corners[longest[1]]);
+      longest = isLonger ? std::array<int, 2>{ { i, j } } : longest;
+    }
+    if (Distance(corners[longest[0]], corners[longest[1]]) > LongestPart * size)
+    {
+      double sum = 0;
+      for (const int end : longest)
+      {
+        std::array<Point, 4> half = corners;
+        half[end] = Midpoint(corners[longest[0]], corners[longest[1]]);
+        sum += this->CellsIn(cell, half, halvings + 1);
+      }
+      return sum;
+    }
+  }
+  return VolumeOf(corners) / VolumeOfEdge(size);
 }
 } // namespace insideout

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Refine/RefinableMesh.h"
+#include "Refine/SizeRules.h"
 
 #include <functional>
 #include <vector>
@@ -17,6 +18,18 @@ struct SizingParameters
 
   /** Wanted length anywhere, infinite for no limit; empty: nowhere. */
   std::function<double(const Point&)> LengthAt;
+
+  /** Lengths by geometry, tag and region, which SizesByRules turns into those below and LengthAt;
+   * those of regions are in LengthOfCell. */
+  std::vector<SizeRule> Rules;
+
+  /** Wanted length within each input cell, infinite for none, the same in a region; empty: none. */
+  std::vector<double> LengthOfCell;
+
+  std::vector<double> LengthOfRegion; ///< the same for regions by number
+
+  /** Whether the surface's own lengths hold, too, where they are shorter than the wanted ones. */
+  bool KeepsShorterEdges = false;
 };
 
 /**
@@ -44,9 +57,15 @@ public:
    * the surface near the input's. */
   void ShortenAtThinTriangles();
 
-  /** Set them for a surface to be remeshed: the wanted lengths, regardless of the surface; if none
-   * are wanted, as FollowSurface does. */
+  /** Whether wanted lengths take the place of the surface's own. */
+  bool ReplacesSurface() const { return this->IsAskedFor() && !this->Parameters.KeepsShorterEdges; }
+
+  /** Set them for a surface to be remeshed: the wanted lengths, regardless of the surface unless
+   * its shorter edges are kept; if none are wanted, as FollowSurface does. */
   void FollowWishes();
+
+  /** The length wanted at a point of the mesh, regardless of the surface; infinite without one. */
+  double WantedAtPoint(Id point) const { return this->AtPoints[point].Wanted; }
 
   /** The length wanted everywhere; infinite without one. */
   double Most() const { return this->Everywhere; }
@@ -61,15 +80,18 @@ public:
   double EstimatedCells() const;
 
 private:
-  /** The length that the surface allows, and the wanted one. */
+  /** The length that the surface allows, the wanted one, and the part of that by array. */
   struct Lengths
   {
     double Surface;
     double Wanted;
+    double Array;
     double Both() const { return this->Surface < this->Wanted ? this->Surface : this->Wanted; }
   };
   Lengths LengthsAt(Id cell, const Point& place) const;
   double WantedAt(const Point& place, double otherwise) const;
+  double LengthOfRegion(Id region) const;
+  double CellsIn(Id cell, const std::array<Point, 4>& corners, int halvings) const;
   void SetLengthsOfSurface(double heights);
   void Grow();
   void SetSizes();

@@ -12,6 +12,7 @@ from contextvars import ContextVar
 from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence, TypeVar, cast
 
 from .errors import Error, Warning, brief
+from .options import error_in_words_of_python
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -34,8 +35,14 @@ def for_users(function: Function) -> Function:
             result = function(*given, **named)
             outer.extend(getattr(result, "warnings", ()))
             return result
-        with _listening() as heard:
-            result = function(*given, **named)
+        try:
+            with _listening() as heard:
+                result = function(*given, **named)
+        except Error as error:
+            words = error_in_words_of_python(str(error))
+            if words == str(error):
+                raise
+            raise type(error)(words) from error.__cause__
         for text in dict.fromkeys([*heard, *getattr(result, "warnings", ())]):
             warnings.warn(text, Warning, stacklevel=2)
         return result

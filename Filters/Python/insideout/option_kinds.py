@@ -18,6 +18,7 @@ from .declared import Declared
 from .errors import ArgumentError, Error, at_least, brief, one_of, switch, text_of
 from .inputs import DataSetOfPoints, path_of
 from .places import read_seeds
+from .sizing import background_of, text_of_rules
 
 Seed = Union[Tuple[Tuple[float, float, float], bool], Tuple[Tuple[float, float, float], bool, str]]
 Seeds = Union[DataSetOfPoints, str, Iterable[Seed]]
@@ -200,6 +201,25 @@ class Rules(Option):
 
     def argument(self) -> dict[str, Any]:
         return {"metavar": "NAME=CONDITION", "action": _JoinRules}
+
+
+class SizesByRules(Option):
+    """Rules of sizes; a background among them is a data set of its own for the filter (see sizing.py)."""
+
+    def checked(self, name: str, value: Any) -> str:
+        return text_of_rules(name, value)
+
+    def set_on(self, algorithm: Any, name: str, value: Any) -> None:
+        super().set_on(algorithm, name, value)
+        found = background_of(name, value)
+        if found:
+            owner = owner_of(algorithm, self.vtk_property)
+            data, array = found
+            owner.SetBackgroundData(data)
+            owner.SetSizingArrayName(array)
+
+    def argument(self) -> dict[str, Any]:
+        return {"metavar": "WHAT=NUMBER", "action": _JoinRules}
 
 
 class _JoinRules(argparse.Action):

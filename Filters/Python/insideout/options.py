@@ -18,7 +18,8 @@ from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 from .declared import CONSTANTS, DECLARED
 from .errors import ArgumentError
 from .lengths import Length, diagonal_of, share_of
-from .option_kinds import ChosenFacets, Decision, Dimensions, Lengths, Names, Option, Places, Rules, Scale, Seeds, TagRules, kind_of, owner_of
+from .option_kinds import ChosenFacets, Decision, Dimensions, Lengths, Names, Option, Places, Rules, Scale, Seeds, SizesByRules, TagRules, kind_of, owner_of
+from .sizing import SizeRules, has_shares, with_numbers
 from .vtkFiltersInsideOut import vtkBoundaryLayers, vtkRobustTriangulate
 
 Orientation = Literal["automatic", "as-given", "reverse", "outward"]
@@ -87,6 +88,7 @@ class RefinementOptions:
     grading: Optional[float] = None
     maximum_volume: Optional[float] = None
     maximum_cells: Optional[int] = None
+    size_rules: Optional[SizeRules] = None
     surface_treatment: SurfaceTreatment = "automatic"
     surface_tolerance: Optional[Length] = None
     feature_angle: Optional[float] = None
@@ -177,8 +179,11 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
         """The same options with each length as a number: shares refer to the diagonal of the box around all data, times
         a factor."""
         shares = {name: share for name in LENGTHS if (share := share_of(name, getattr(self, name))) is not None}
-        diagonal = factor * diagonal_of(all_data) if shares else 0
-        return replace(self, **{name: share * diagonal for name, share in shares.items()})
+        diagonal = factor * diagonal_of(all_data) if shares or has_shares(self.size_rules) else 0
+        numbers: dict[str, Any] = {name: share * diagonal for name, share in shares.items()}
+        if has_shares(self.size_rules):
+            numbers["size_rules"] = with_numbers(self.size_rules, diagonal)
+        return replace(self, **numbers)
 
     def set_on(self, algorithm: Filter, names: Optional[Iterable[str]] = None) -> Filter:
         """Set all or some of the given options on a filter, and return it. Raises `Error` for a value out of range."""
@@ -215,23 +220,28 @@ _KINDS: dict[str, type[Option]] = {
     "priority": Names,
     "layer_tags": Names,
     "tag_rules": Rules,
+    "size_rules": SizesByRules,
     "constrained_facets_array": ChosenFacets,
     "refine": Decision,
 }
 _MORE_WORDS = {
     "priority": " Or a list of them.",
     "layer_tags": " Or a list of them.",
+    "size_rules": ' Or a dict of these: of "tag wall" 0.5, of "background" a vtkDataSet.',
     "tag_rules": " Or a dict of conditions by names, also functions: of the centers and unit normals of the input's polygons, as they are "
     "given, both (n, 3), to n bools.",
 }
-_OR_PERCENT = ' Or "2%" of the diagonal of the input.'
-_FOR_SOLVERS = " On where the file that is to be written is for a solver: .msh, .inp, .mesh or .xdmf."
+_MORE_WORDS_OF_KIND: dict[type[Option], str] = {
+    Lengths: ' Or "2%" of the diagonal of the input.',
+    Decision: " On where the file that is to be written is for a solver: .msh, .inp, .mesh or .xdmf.",
+    SizesByRules: ' Lengths may be "2%" of the diagonal. "background ARRAY=FILE" are lengths at the points of an image or mesh of VTK.',
+}
 
 
 def _declared(name: str) -> Option:
     one = DECLARED[name]
     kind = _KINDS.get(name, kind_of(one))
-    words = one.words + (_OR_PERCENT if kind is Lengths else _FOR_SOLVERS if kind is Decision else "")
+    words = one.words + _MORE_WORDS_OF_KIND.get(kind, "")
     return kind(one.vtk_property, words, _MORE_WORDS.get(name, ""), one.least or 0, one.most, one.choices)
 
 
@@ -256,6 +266,16 @@ LAYER_OPTIONS = tuple(TOPICS["layers"])
 def in_words_of_python(texts: Iterable[str]) -> list[str]:
     """A text with VTK's names of properties replaced by those of Python."""
     return [re.sub(r"\bset (\w+) to ([A-Z]\w*)", _chosen_in_python, text) for text in _renamed(texts, _PROPERTIES)]
+
+
+def error_in_words_of_python(text: str) -> str:
+    """The same of an error, which may name files that are called like a word: only names of several words."""
+    return _renamed([text], {name: python for name, python in _PROPERTIES.items() if "_" in python})[0]
+
+
+def error_in_words_of_command(text: str) -> str:
+    """An error with the options of the command line in place of Python's, of several words only."""
+    return _renamed([text], {name: flag_of(name) for name in OPTIONS if "_" in name})[0]
 
 
 def _chosen_in_python(found: re.Match[str]) -> str:

@@ -14,7 +14,7 @@ from .data import Tetrahedra, as_type
 from .errors import Error, text_of
 from .inputs import DataSetOfPoints, numbers
 from .lengths import Length
-from .options import REFINING_OPTIONS, Options, SurfaceTreatment, describe_options, in_words_of_python
+from .options import REFINING_OPTIONS, Options, SizeRules, SurfaceTreatment, describe_options, in_words_of_python
 from .pipeline import Progress, run, statistics_of
 from .results import MeshResult, counted
 from .serializing import vtk_array
@@ -94,6 +94,8 @@ def refined(
     if background is not None:
         if not isinstance(background, vtkDataSet):
             raise Error(f"background is of type {type(background).__name__}; it must be a vtkDataSet")
+        if refiner.GetNumberOfInputConnections(1) > 0:
+            raise Error("background is given, and so is one of size_rules: there can be one")
         if not isinstance(sizes, str):
             raise Error("sizes has to be the name of the background's point array of edge lengths")
         refiner.SetBackgroundData(background)

@@ -13,7 +13,7 @@ from .data import Tetrahedra, Triangles, as_type, has_layers, is_flat
 from .deck import Deck
 from .errors import ArgumentError, Error, one_of
 from .exporting import is_boundary_alone
-from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
+from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, is_of_others, run_writer, temporary_folder, write_grid, write_surface
 from .options import in_words_of_python
 from .pipeline import run, statistics_of, write_bytes
 from .vtkFiltersInsideOut import vtkSolidQuality, vtkSolidWriter
@@ -55,6 +55,13 @@ def written_beside(path: Path, grid: vtkUnstructuredGrid, boundary: Optional[vtk
     return {"tags": boundary_beside(os.fspath(path))} if has_two else {}
 
 
+def check_beside(path: str) -> None:
+    """Raise `Error` where the boundary beside a file of cells would replace a file that nobody named and another program wrote."""
+    beside = boundary_beside(path)
+    if ending(path) == XDMF and is_of_others(beside):
+        raise Error(f"{beside}, beside {path}, is where the boundary goes, and bears no mark of insideout: move it, or choose another name")
+
+
 def check_holds_layers(path: str, has_layers: bool) -> None:
     """Raise `ArgumentError` if there are prisms that a file of cells cannot have."""
     if has_layers and ending(path) == XDMF:
@@ -75,10 +82,11 @@ def write_solid(
     figures: Optional[Dict[str, float]] = None,
     deck: Optional[Deck] = None,
     cells_only: bool = False,
+    replaces_beside: bool = False,
 ) -> list[str]:
     """Write tetrahedra in any format for them. No cell is changed. Returns warnings of cells that a solver does not
-    take; `figures` gets their counts. A deck completes an .inp file. `cells_only` omits boundary and regions. Raises
-    `Error` that names the file.
+    take; `figures` gets their counts. A deck completes an .inp file. `cells_only` omits boundary and regions.
+    `replaces_beside` replaces any file beside an .xdmf file. Raises `Error` that names the file.
     """
     figures = {} if figures is None else figures
     path = os.fspath(path)
@@ -103,6 +111,8 @@ def write_solid(
         write_grid(grid, path)
         return []
     check_holds_layers(path, has_layers(grid))
+    if written_beside(path, grid, boundary) and not replaces_beside:
+        check_beside(path)
     warnings = [] if is_flat(grid) or grid.GetNumberOfCells() == 0 else _fitness_of(grid, path, figures)
     try:
         write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path, boundary)

@@ -21,10 +21,10 @@ from .files import WRITABLE_SURFACES, Path, check_output, ending
 from .inputs import path_of
 from .layering import layered
 from .lengths import Length
-from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, TagRules, Topology, describe_options, in_words_of_python
+from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SizeRules, SurfaceTreatment, TagRules, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
 from .results import MeshResult, counted
-from .solid_files import WRITABLE_GRIDS, check_holds_layers, check_holds_triangles, is_for_solver, write_result
+from .solid_files import WRITABLE_GRIDS, check_beside, check_holds_layers, check_holds_triangles, is_for_solver, write_result
 from .statistics import Statistics
 from .tagging import with_functions_as_arrays, without_arrays_of_functions
 from .verdict import verdict
@@ -206,6 +206,8 @@ def tetrahedralize(
             raise Error("the input lies in a plane, where layers are not made: prisms are in space")
         algorithm, more = _triangulator(options, polygons, body_array)
         warnings += more
+    elif output is not None:
+        check_beside(output)
     algorithm.SetInputData(polygons)
     algorithm.SetRefine(options.refines())
     algorithm.SetGenerateHull(not options.surface_only)

@@ -110,6 +110,7 @@ OTHER_FLAGS = {
     "output": ["-o"],
     "surface_treatment": ["--surface"],
     "tag_rules": ["--tag"],
+    "size_rules": ["--size"],
     "quadratic_cells": ["--quadratic"],
     "body_array": ["--bodies"],
     "constrained_facets_array": ["--constrained-array"],

@@ -61,7 +61,7 @@ def _write(
     information = f'<Information Name="Information" Value="1"><![CDATA[<main>{mapped}</main>]]></Information>'  # meshio's name
     shape = f'NumberOfElements="{len(nodes)}" NodesPerElement="{nodes.shape[1]}"'
     lines = [
-        '<Xdmf Version="3.0"><Domain><Grid Name="Grid">',
+        '<Xdmf Version="3.0"><!-- Written by InsideOut --><Domain><Grid Name="Grid">',
         *([information] if mapped else []),
         f'<Geometry GeometryType="XYZ">{_item(points)}</Geometry>',
         f'<Topology TopologyType="{_TOPOLOGIES[kind]}" {shape}>{_item(nodes)}</Topology>',

@@ -267,11 +267,14 @@ TEST(OptionsOfSegmentation, AreThoseOfTheStages)
 TEST(OptionsOfRefinement, AreThoseOfTheStage)
 {
   vtkNew<vtkRefineTetrahedra> filter;
-  const auto [edgeLength, grading, maximumVolume, lengths, lengthAt] = SizingParameters();
+  const auto [edgeLength, grading, maximumVolume, lengths, lengthAt, rules, lengthOfCell,
+    lengthOfRegion, keepsShorterEdges] = SizingParameters();
   EXPECT_EQ(filter->GetEdgeLength(), edgeLength);
   EXPECT_EQ(filter->GetGrading(), grading);
   EXPECT_EQ(filter->GetMaximumVolume(), maximumVolume);
-  EXPECT_TRUE(lengths.empty() && !lengthAt);
+  EXPECT_TRUE(lengths.empty() && !lengthAt && rules.empty());
+  EXPECT_TRUE(lengthOfCell.empty() && lengthOfRegion.empty() && !keepsShorterEdges);
+  EXPECT_STREQ(filter->GetSizeRules(), "");
   EXPECT_FALSE(filter->GetQuadraticCells());
   EXPECT_EQ(SET(filter, EdgeLength, -1), 0);
   EXPECT_EQ(SET(filter, MaximumVolume, -1), 0);

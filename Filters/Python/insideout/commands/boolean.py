@@ -35,6 +35,7 @@ class BooleanJob(Job):
     def check(self) -> None:
         super().check()
         self.check_merging()
+        self.check_name_beside()
 
     def goes_without_cells(self) -> bool:
         """Whether only the result's surface is written."""
@@ -64,7 +65,7 @@ class BooleanJob(Job):
         output, boundary = self.files.output or "", self.files.boundary
         work_on(output)
         if takes_cells:
-            told = write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1", self.statistics)
+            told = write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1", self.statistics, replaces_beside=self.is_replacing())
             # This command does not refine.
             self.warnings = self.warnings + [words.replace("(refine)", "(insideout refine)") for words in told]
         else:

@@ -49,6 +49,8 @@ class DryRun(Job):
     def look_at_surfaces(self) -> None:
         with self.reading():
             surfaces = self.read_bodies()
+        if self.makes_cells and self.settings.size_rules:
+            self.warnings.append("size_rules may ask for more cells than the estimate, which leaves them out")
         options = {name: getattr(self.settings, name) for name in CHECK_OPTIONS}
         for path, surface in zip(self.files.surfaces(), surfaces.values()):
             result = check(surface, progress=self.show_progress, **options)

@@ -21,11 +21,11 @@ from ..errors import ArgumentError
 from ..files import MARKED, READABLE_SURFACES, check_input, check_output, ending, is_of_others, read_solid, read_standard_input, read_surface
 from ..interruption import exit_status, message, told, work_on
 from ..lengths import share_of
-from ..options import LENGTHS, OPTIONS, Options, flag_of, in_words_of_command
+from ..options import LENGTHS, OPTIONS, Options, error_in_words_of_command, flag_of, in_words_of_command
 from ..pipeline import Error, write_bytes
 from ..places import QUERIES
 from ..progress import StageBars
-from ..solid_files import is_for_solver
+from ..solid_files import check_beside, is_for_solver
 from ..stages import READING
 from ..verdict import verdict
 from ..version import __version__
@@ -127,10 +127,19 @@ class Job:
         """Raise `Error` if OUTPUT was probably forgotten: the last file could be an input, and no option allows
         replacing it."""
         path = self.files.output or ""
-        is_told = self.options.force or self.options.is_output_told
+        is_told = self.is_replacing()
         could_be_input = ending(path) in (*self.readable, *QUERIES) and ending(path) in MARKED
         if could_be_input and not is_told and is_of_others(path):
             raise Error(f"{path} bears no mark of insideout; to replace it, name it behind -o or give --force")
+
+    def check_name_beside(self) -> None:
+        """Raise `Error` where a boundary beside the cells would replace a file that nobody named."""
+        if not self.is_replacing() and self.settings.dimension != "2":
+            check_beside(self.files.output or "")
+
+    def is_replacing(self) -> bool:
+        """Whether somebody says that what is at OUTPUT is to be replaced."""
+        return bool(self.options.force or self.options.is_output_told)
 
     def check_parameters(self) -> dict[str, Any]:
         """The parameters of the work. Raises `Error` for one out of range."""
@@ -149,6 +158,8 @@ class Job:
             if share_of(name, given) is not None:
                 self.parameters[name] = length
                 self.lengths.append(f"{flag_of(name)} {given} is {length:.6g}")
+        if measured.size_rules != self.settings.size_rules:
+            self.parameters["size_rules"] = ";".join(measured.size_rules or ())
         self.settings = measured
 
     def endings(self) -> dict[str, tuple[str, ...]]:
@@ -253,6 +264,7 @@ class Job:
     def print_error(self, message: str) -> None:
         """Print one line, with the surface's name if there are several."""
         surface = self.files.surface
+        message = error_in_words_of_command(message)
         print_error(f"{surface}: {message}" if self.options.several and surface not in message else message)
 
     def notes(self) -> list[str]:

@@ -74,6 +74,7 @@ class MeshJob(Job):
         super().check()
         output = self.files.output or ""
         self.check_merging()
+        self.check_name_beside()
         if input_ending(self.files.surface) == CURVE or str(self.settings.dimension) == "2":
             self.check_plane()
             for name in self.settings.left_out_by(vtkRobustTriangulate()):
@@ -156,7 +157,7 @@ class MeshJob(Job):
         version: MshVersion = self.options.msh_version or "4.1"
 
         def write_with_boundary(solid: Tetrahedra, path: str) -> list[str]:
-            return write_solid(solid, path, result.boundary, version, self.statistics, self.deck, bool(self.options.cells_only))
+            return write_solid(solid, path, result.boundary, version, self.statistics, self.deck, bool(self.options.cells_only), self.is_replacing())
 
         def write_hull(hull: Tetrahedra, path: str) -> None:
             write_solid(hull, path, msh_version=version)  # no option changes its cells, so advice on them is omitted
