@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/ParallelLoop.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -30,13 +32,49 @@ public:
   {
     // Counted one bucket ahead, so that filling moves each Begin to its final position.
     forEach([this](std::size_t bucket, const Value&) { ++this->Begin[bucket + 2]; });
-    for (std::size_t bucket = 2; bucket < this->Begin.size(); ++bucket)
-    {
-      this->Begin[bucket] += this->Begin[bucket - 1];
-    }
-    this->Values.resize(this->Begin.back());
+    this->AddUpSizes();
     forEach([this](std::size_t bucket, const Value& value)
       { this->Values[this->Begin[bucket + 1]++] = value; });
+  }
+
+  /**
+   * The same on several threads. On more than one, values are in arbitrary order within a bucket
+   * that several elements visit: sort them.
+   *
+   * @param[in] elements number of elements
+   * @param[in] cost estimated nanoseconds of one element
+   * @param[in] forElement calls visit(bucket, value) for each value of an element. It is called
+   * twice with the same result
+   */
+  template <typename ForElement>
+  static Buckets Unordered(
+    std::size_t count, std::size_t elements, double cost, const ForElement& forElement)
+  {
+    if (TeamSize(static_cast<double>(elements) * cost) == 1)
+    {
+      return Buckets(count,
+        [&](auto visit)
+        {
+          for (std::size_t i = 0; i < elements; ++i)
+          {
+            forElement(i, visit);
+          }
+        });
+    }
+    Buckets all;
+    all.Begin.assign(count + 2, 0);
+    ParallelLoop(elements, cost,
+      [&](std::size_t i)
+      { forElement(i, [&](std::size_t bucket, const Value&) { Next(all.Begin[bucket + 2]); }); });
+    all.AddUpSizes();
+    ParallelLoop(elements, cost,
+      [&](std::size_t i)
+      {
+        forElement(i,
+          [&](std::size_t bucket, const Value& value)
+          { all.Values[Next(all.Begin[bucket + 1])] = value; });
+      });
+    return all;
   }
 
   struct Range
@@ -70,6 +108,21 @@ public:
   std::vector<Value> TakeAll() && { return std::move(this->Values); }
 
 private:
+  void AddUpSizes()
+  {
+    for (std::size_t bucket = 2; bucket < this->Begin.size(); ++bucket)
+    {
+      this->Begin[bucket] += this->Begin[bucket - 1];
+    }
+    this->Values.resize(this->Begin.back());
+  }
+
+  /** The value before it is increased by one, which threads do one after the other. */
+  static std::size_t Next(std::size_t& value)
+  {
+    return __atomic_fetch_add(&value, std::size_t(1), __ATOMIC_RELAXED);
+  }
+
   std::vector<std::size_t> Begin;
   std::vector<Value> Values;
 };

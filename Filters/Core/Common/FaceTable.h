@@ -40,20 +40,17 @@ class FaceTable
 {
 public:
   FaceTable(std::size_t points, const std::vector<Tetrahedron>& cells)
-    : Entries(points,
-        [&](auto visit)
+    : Entries(Buckets<FaceEntry>::Unordered(points, cells.size(), CostOfCell,
+        [&](std::size_t c, const auto& visit)
         {
-          for (std::size_t c = 0; c < cells.size(); ++c)
+          for (int k = 0; k < 4; ++k)
           {
-            for (int k = 0; k < 4; ++k)
-            {
-              const SortedTriangle face(FaceOf(cells[c], k));
-              visit(static_cast<std::size_t>(face.Points[0]),
-                FaceEntry{ FaceEntry::KeyOf(face), static_cast<Id>(c), static_cast<std::int8_t>(k),
-                  face.Turned });
-            }
+            const SortedTriangle face(FaceOf(cells[c], k));
+            visit(static_cast<std::size_t>(face.Points[0]),
+              FaceEntry{ FaceEntry::KeyOf(face), static_cast<Id>(c), static_cast<std::int8_t>(k),
+                face.Turned });
           }
-        })
+        }))
   {
     ParallelLoop(points, CostOfPoint,
       [this](std::size_t p) { this->Entries.Sort(p, std::less<FaceEntry>()); });
@@ -107,6 +104,9 @@ public:
   }
 
 private:
+  /** Nanoseconds for entering the faces of a cell. */
+  static constexpr double CostOfCell = 40;
+
   /** Nanoseconds for sorting or visiting the faces of a point. */
   static constexpr double CostOfPoint = 500;
 

@@ -1,59 +1,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/SegmentTable.h"
 
+#include "Common/ParallelLoop.h"
+
 #include <algorithm>
 #include <tuple>
 
 namespace insideout
 {
+namespace
+{
+constexpr double NanosecondsPerSide = 10;   ///< for entering an edge of a facet
+constexpr double NanosecondsPerVertex = 60; ///< for sorting the edges that it is the lower end of
+} // namespace
+
 SegmentTable::SegmentTable(const std::vector<Triangle>& facets)
 {
   const auto given = std::make_shared<GivenEdges>();
-  // The first edge between two vertices gives the segment its number.
+  const auto endsOf = [&facets](std::size_t side)
+  {
+    const Triangle& facet = facets[side / 3];
+    const auto ends = std::minmax(facet[side % 3], facet[(side + 1) % 3]);
+    return std::array<Id, 2>{ { ends.first, ends.second } };
+  };
+  std::size_t vertices = 0;
+  for (const Triangle& facet : facets)
+  {
+    for (const Id corner : facet)
+    {
+      vertices = std::max(vertices, static_cast<std::size_t>(corner) + 1);
+    }
+  }
   struct Side
   {
-    std::array<Id, 2> Ends;
+    Id HigherEnd;
     std::size_t Number;
   };
-  std::vector<Side> sides(3 * facets.size());
-  Id vertices = 0;
-  for (std::size_t number = 0; number < sides.size(); ++number)
-  {
-    const Triangle& facet = facets[number / 3];
-    const auto ends = std::minmax(facet[number % 3], facet[(number + 1) % 3]);
-    sides[number] = { { { ends.first, ends.second } }, number };
-    vertices = std::max(vertices, ends.second + 1);
-  }
-  std::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
-    { return std::tie(a.Ends, a.Number) < std::tie(b.Ends, b.Number); });
-  std::vector<Side> first(sides.size()); // per side, of the same edge
-  for (std::size_t i = 0; i < sides.size(); ++i)
-  {
-    const bool isFirst = i == 0 || sides[i].Ends != sides[i - 1].Ends;
-    first[sides[i].Number] = isFirst ? sides[i] : first[sides[i - 1].Number];
-  }
+  Buckets<Side> sides = Buckets<Side>::Unordered(vertices, 3 * facets.size(), NanosecondsPerSide,
+    [&](std::size_t number, const auto& visit)
+    {
+      const std::array<Id, 2> ends = endsOf(number);
+      visit(static_cast<std::size_t>(ends[0]), Side{ ends[1], number });
+    });
+  // The first edge between two vertices gives the segment its number.
+  std::vector<std::size_t> first(3 * facets.size()); // per side, of the same edge
+  ParallelLoop(vertices, NanosecondsPerVertex,
+    [&](std::size_t vertex)
+    {
+      sides.Sort(vertex,
+        [](const Side& a, const Side& b)
+        { return std::tie(a.HigherEnd, a.Number) < std::tie(b.HigherEnd, b.Number); });
+      Side last = { None, 0 };
+      for (const Side& side : sides[vertex])
+      {
+        last = side.HigherEnd == last.HigherEnd ? last : side;
+        first[side.Number] = last.Number;
+      }
+    });
   given->OfFacets.resize(facets.size());
   const auto segmentOf = [&given](std::size_t side) -> Id&
   { return given->OfFacets[side / 3][side % 3]; };
   for (std::size_t number = 0; number < first.size(); ++number)
   {
-    if (first[number].Number == number)
+    if (first[number] == number)
     {
       segmentOf(number) = static_cast<Id>(given->Ends.size());
-      given->Ends.push_back(first[number].Ends);
+      given->Ends.push_back(endsOf(number));
     }
-    segmentOf(number) = segmentOf(first[number].Number);
+    segmentOf(number) = segmentOf(first[number]);
   }
-  given->ByLowerEnd = Buckets<HigherEnd>(static_cast<std::size_t>(vertices),
-    [&](const auto& visit)
+  given->ByLowerEnd = Buckets<HigherEnd>::Unordered(vertices, vertices, NanosecondsPerVertex,
+    [&](std::size_t vertex, const auto& visit)
     {
-      for (const Side& side : sides)
+      for (const Side& side : sides[vertex])
       {
-        if (first[side.Number].Number == side.Number)
+        if (first[side.Number] == side.Number)
         {
-          visit(static_cast<std::size_t>(side.Ends[0]),
-            HigherEnd{ side.Ends[1], segmentOf(side.Number) });
+          visit(vertex, HigherEnd{ side.HigherEnd, segmentOf(side.Number) });
         }
       }
     });

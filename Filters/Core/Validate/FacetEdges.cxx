@@ -3,11 +3,19 @@
 
 #include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
+#include "Common/ParallelLoop.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace insideout
 {
+namespace
+{
+constexpr double NanosecondsPerFacet = 20; ///< for entering its edges
+constexpr double NanosecondsPerPoint = 40; ///< for sorting the edges of which it is the lower one
+} // namespace
+
 std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
 {
   Id points = 0;
@@ -16,27 +24,29 @@ std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
     points = std::max({ points, facet[0] + 1, facet[1] + 1, facet[2] + 1 });
   }
   // Bucket sort by lower points; buckets are small.
-  Buckets<FacetEdge> byLow(static_cast<std::size_t>(points),
-    [&](auto visit)
+  Buckets<FacetEdge> byLow = Buckets<FacetEdge>::Unordered(static_cast<std::size_t>(points),
+    facets.size(), NanosecondsPerFacet,
+    [&](std::size_t f, const auto& visit)
     {
-      for (std::size_t f = 0; f < facets.size(); ++f)
+      for (int k = 0; k < 3; ++k)
       {
-        for (int k = 0; k < 3; ++k)
-        {
-          const Id from = facets[f][k];
-          const Id to = facets[f][(k + 1) % 3];
-          const Id low = std::min(from, to);
-          visit(static_cast<std::size_t>(low),
-            FacetEdge{ low, std::max(from, to), static_cast<Id>(f), from < to ? 1 : -1 });
-        }
+        const Id from = facets[f][k];
+        const Id to = facets[f][(k + 1) % 3];
+        const Id low = std::min(from, to);
+        visit(static_cast<std::size_t>(low),
+          FacetEdge{ low, std::max(from, to), static_cast<Id>(f), from < to ? 1 : -1 });
       }
     });
-  for (std::size_t low = 0; low < byLow.Size(); ++low)
-  {
-    byLow.Sort(low,
-      [](const FacetEdge& a, const FacetEdge& b)
-      { return a.High != b.High ? a.High < b.High : a.Facet < b.Facet; });
-  }
+  ParallelLoop(byLow.Size(), NanosecondsPerPoint,
+    [&](std::size_t low)
+    {
+      byLow.Sort(low,
+        [](const FacetEdge& a, const FacetEdge& b)
+        {
+          // A facet has an edge twice if it has a point twice.
+          return std::tie(a.High, a.Facet, a.Direction) < std::tie(b.High, b.Facet, b.Direction);
+        });
+    });
   return std::move(byLow).TakeAll();
 }
 

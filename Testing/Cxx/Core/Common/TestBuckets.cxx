@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Common/Buckets.h"
 
+#include "Common/Team.h"
+#include "Support/AllowedThreads.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -62,6 +65,39 @@ TEST(Buckets, AreSortedOneByOne)
     std::vector<int>(buckets[1].begin(), buckets[1].end()), (std::vector<int>{ 10, 7, 4, 1 }));
   EXPECT_EQ(
     std::vector<int>(buckets[2].begin(), buckets[2].end()), (std::vector<int>{ 2, 5, 8, 11 }));
+}
+
+TEST(Buckets, AreTheSameOnAnyNumberOfThreadsOnceTheyAreSorted)
+{
+  constexpr std::size_t Elements = 1000;
+  const auto forElement = [](std::size_t i, const auto& visit)
+  {
+    for (std::size_t k = 0; k < i % 4; ++k)
+    {
+      visit((i * i + k) % 37, 4 * i + k);
+    }
+  };
+  const Buckets<std::size_t> expected(40,
+    [&](const auto& visit)
+    {
+      for (std::size_t i = 0; i < Elements; ++i)
+      {
+        forElement(i, visit);
+      }
+    });
+  const WholeTeams teams;
+  for (const int threads : { 1, 2, 8 })
+  {
+    const testthreads::Allowed allowed(threads);
+    auto found = Buckets<std::size_t>::Unordered(40, Elements, 1, forElement);
+    ASSERT_EQ(found.Size(), expected.Size());
+    for (std::size_t bucket = 0; bucket < found.Size(); ++bucket)
+    {
+      found.Sort(bucket, std::less<>());
+      EXPECT_EQ(std::vector<std::size_t>(found[bucket].begin(), found[bucket].end()),
+        std::vector<std::size_t>(expected[bucket].begin(), expected[bucket].end()));
+    }
+  }
 }
 
 TEST(Buckets, AreNoneAtFirst)
