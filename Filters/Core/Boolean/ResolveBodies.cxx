@@ -6,10 +6,11 @@
 #include "Boolean/TouchBodies.h"
 #include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
-#include "Common/PartMonitor.h"
+#include "Common/JobsAtOnce.h"
 #include "Common/ScaledPoints.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
+#include "Common/Team.h"
 #include "Common/Vectors.h"
 #include "Resolve/FacetsNearOthers.h"
 #include "Resolve/FindIntersections.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
@@ -78,6 +80,18 @@ Id NumberOfPointIds(const std::vector<Body>& bodies)
   return number;
 }
 
+/** What orientation says of one body, in the numbers of its triangles. */
+struct BodyTurns
+{
+  std::vector<Id> Turned;
+  std::vector<Id> Sheets;
+  std::vector<HoledShell> Holed;
+};
+
+/** Bodies are worked on side by side if the largest takes at most this many times a thread's fair
+ * share. */
+constexpr double MostUneven = 1.25;
+
 class BodyResolver
 {
 public:
@@ -98,8 +112,12 @@ public:
 
 private:
   void MergeGivenPoints();
+  void ForEachBody(const char* stage, const std::function<void(std::size_t, Monitor&)>& work);
+  CountedChain CountFacetsOf(
+    const Body& body, const CountedChainParameters& parameters, Monitor& monitor) const;
   void CountFacetsOfBodies();
   void FindOwnCrossings();
+  BodyTurns OrientBody(std::size_t b, Monitor& monitor);
   void OrientBodies();
   bool Thickens() const { return this->Parameters.Thicken.Width != 0; }
   void ResolveAlone();
@@ -184,6 +202,52 @@ CountedChain AllDegenerateChain(const TriangleSoup& soup)
   return chain;
 }
 
+/** Works on each body. Several threads take a body each where that keeps all of them busy; else
+ * each body has all threads, in turn. */
+void BodyResolver::ForEachBody(
+  const char* stage, const std::function<void(std::size_t, Monitor&)>& work)
+{
+  std::vector<double> sizes;
+  double all = 0;
+  for (const Body& body : this->Given)
+  {
+    sizes.push_back(static_cast<double>(body.Soup.Triangles.size()));
+    all += sizes.back();
+  }
+  const double largest = *std::max_element(sizes.begin(), sizes.end());
+  const int threads = AllowedThreads();
+  const bool isEven = largest * threads <= MostUneven * all;
+  JobsAtOnce(
+    sizes, isEven ? threads : 1, stage,
+    [&](std::size_t b, Monitor& own) { InTheNameOf(this->Given[b].Name, [&]() { work(b, own); }); },
+    this->Watch);
+}
+
+/** Counts the facets of a body; one without facets is empty if bodies have names. */
+CountedChain BodyResolver::CountFacetsOf(
+  const Body& body, const CountedChainParameters& parameters, Monitor& monitor) const
+{
+  CountedChain chain;
+  try
+  {
+    chain = CountFacets(body.Soup, parameters, monitor);
+  }
+  catch (const Error& error)
+  {
+    if (!AreNamed(this->Given) ||
+      (error.Code != ErrorCode::EmptySurface && error.Code != ErrorCode::AllDegenerate))
+    {
+      throw;
+    }
+    if (error.Code == ErrorCode::AllDegenerate)
+    {
+      chain = AllDegenerateChain(body.Soup);
+    }
+    chain.Warnings = { std::string(error.what()) + ": the body is empty" };
+  }
+  return chain;
+}
+
 void BodyResolver::CountFacetsOfBodies()
 {
   CountedChainParameters parameters = this->Parameters.Chain;
@@ -191,33 +255,15 @@ void BodyResolver::CountFacetsOfBodies()
   {
     parameters.MergeTolerance = std::min(parameters.MergeTolerance, 0.0); // it has been seen to
   }
+  std::vector<CountedChain> chains(this->Given.size());
+  this->ForEachBody(Stages::Validating,
+    [&](std::size_t b, Monitor& monitor)
+    { chains[b] = this->CountFacetsOf(this->Given[b], parameters, monitor); });
   bool isAnyThere = false;
   for (std::size_t b = 0; b < this->Given.size(); ++b)
   {
     const Body& body = this->Given[b];
-    PartMonitor monitor(this->Watch, b, this->Given.size());
-    CountedChain chain;
-    InTheNameOf(body.Name,
-      [&]()
-      {
-        try
-        {
-          chain = CountFacets(body.Soup, parameters, monitor);
-        }
-        catch (const Error& error)
-        {
-          if (!AreNamed(this->Given) ||
-            (error.Code != ErrorCode::EmptySurface && error.Code != ErrorCode::AllDegenerate))
-          {
-            throw;
-          }
-          if (error.Code == ErrorCode::AllDegenerate)
-          {
-            chain = AllDegenerateChain(body.Soup);
-          }
-          chain.Warnings = { std::string(error.what()) + ": the body is empty" };
-        }
-      });
+    CountedChain& chain = chains[b];
     isAnyThere |= !chain.Surface.Facets.empty();
     for (std::size_t p = 0; p < chain.MergedInto.size(); ++p)
     {
@@ -241,12 +287,12 @@ void BodyResolver::CountFacetsOfBodies()
 /** Searches each body once: here, or once it is thickened. */
 void BodyResolver::FindOwnCrossings()
 {
-  for (std::size_t b = 0; b < this->Given.size(); ++b)
-  {
-    const FacetComplex& chain = this->Chains[b];
-    PartMonitor monitor(this->Watch, b, this->Given.size());
-    this->OwnCrossings[b] = FindIntersections(chain.Points, chain.Facets, monitor);
-  }
+  this->ForEachBody(Stages::FindingIntersections,
+    [&](std::size_t b, Monitor& monitor)
+    {
+      const FacetComplex& chain = this->Chains[b];
+      this->OwnCrossings[b] = FindIntersections(chain.Points, chain.Facets, monitor);
+    });
 }
 
 /** Replace indices into a body's soup by the numbers that its points and triangles go by. */
@@ -290,48 +336,60 @@ std::vector<HoledShell> HoledShellsOf(
   return shells;
 }
 
+/** Orients a body and thickens it, and gives its chain the body's numbers. */
+BodyTurns BodyResolver::OrientBody(std::size_t b, Monitor& monitor)
+{
+  const Body& body = this->Given[b];
+  FacetComplex& chain = this->Chains[b];
+  FacetTurns& turns = this->Result.Bodies[b].Turns;
+  turns = OrientFacets(chain, this->Edges[b], this->Parameters.Orientation, monitor,
+    this->Thickens() || !this->OwnCrossings[b].empty() ? Crossings::Unknown : Crossings::Absent);
+  this->Edges[b] = {};
+  const auto numbers = [&](const std::vector<char>& marks)
+  {
+    std::vector<Id> triangles = TrianglesOfFacets(chain, marks);
+    for (Id& t : triangles)
+    {
+      t = body.TriangleIds[t];
+    }
+    return triangles;
+  };
+  BodyTurns told = { numbers(turns.Turned), numbers(turns.IsSheet),
+    HoledShellsOf(chain, turns, body) };
+  this->Result.Bodies[b].ThickenedFacets =
+    ThickenFacets(chain, turns.IsSheet, this->Parameters.Thicken, monitor);
+  if (this->Thickens())
+  {
+    this->OwnCrossings[b] = FindIntersections(chain.Points, chain.Facets, monitor);
+  }
+  GiveNumbers(body, chain);
+  return told;
+}
+
 void BodyResolver::OrientBodies()
 {
+  std::vector<BodyTurns> told(this->Given.size());
+  this->ForEachBody(Stages::Orienting,
+    [&](std::size_t b, Monitor& monitor)
+    {
+      if (!this->Chains[b].Facets.empty())
+      {
+        told[b] = this->OrientBody(b, monitor);
+      }
+    });
+  const auto append = [](auto& all, const auto& some)
+  { all.insert(all.end(), some.begin(), some.end()); };
   for (std::size_t b = 0; b < this->Given.size(); ++b)
   {
-    const Body& body = this->Given[b];
-    FacetComplex& chain = this->Chains[b];
-    if (chain.Facets.empty())
-    {
-      continue;
-    }
-    PartMonitor monitor(this->Watch, b, this->Given.size());
-    FacetTurns& turns = this->Result.Bodies[b].Turns;
-    InTheNameOf(body.Name,
-      [&]()
-      {
-        turns = OrientFacets(chain, this->Edges[b], this->Parameters.Orientation, monitor,
-          this->Thickens() || !this->OwnCrossings[b].empty() ? Crossings::Unknown
-                                                             : Crossings::Absent);
-        for (const Id t : TrianglesOfFacets(chain, turns.Turned))
-        {
-          this->Result.TurnedTriangles.push_back(body.TriangleIds[t]);
-        }
-        for (const Id t : TrianglesOfFacets(chain, turns.IsSheet))
-        {
-          this->Result.SheetTriangles.push_back(body.TriangleIds[t]);
-        }
-        const std::vector<HoledShell> holed = HoledShellsOf(chain, turns, body);
-        this->Result.HoledShells.insert(this->Result.HoledShells.end(), holed.begin(), holed.end());
-        this->Result.Bodies[b].ThickenedFacets =
-          ThickenFacets(chain, turns.IsSheet, this->Parameters.Thicken, monitor);
-        if (this->Thickens())
-        {
-          this->OwnCrossings[b] = FindIntersections(chain.Points, chain.Facets, monitor);
-        }
-      });
-    this->Edges[b] = {};
-    this->Warn(body, turns.Warnings);
+    append(this->Result.TurnedTriangles, told[b].Turned);
+    append(this->Result.SheetTriangles, told[b].Sheets);
+    append(this->Result.HoledShells, told[b].Holed);
+    const FacetTurns& turns = this->Result.Bodies[b].Turns;
+    this->Warn(this->Given[b], turns.Warnings);
     if (!this->Thickens())
     {
-      this->Warn(body, turns.UncountedWarnings);
+      this->Warn(this->Given[b], turns.UncountedWarnings);
     }
-    GiveNumbers(body, chain);
   }
 }
 

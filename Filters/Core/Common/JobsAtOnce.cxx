@@ -36,11 +36,12 @@ public:
   {
   }
 
-  /** Whether a job may continue. The calling thread reports the progress of all to its monitor. */
+  /** Whether a job may continue. The calling thread reports the progress of all to its monitor,
+   * until that stops them. */
   bool Continue(std::size_t place)
   {
     const double part = std::min(static_cast<double>(this->Progress) / WholeProgress, 1.0);
-    if (this->IsCaller() && !this->Caller.Continue(this->Stage, part))
+    if (this->IsCaller() && !this->IsStopped && !this->Caller.Continue(this->Stage, part))
     {
       this->IsStopped = true;
     }

@@ -2,6 +2,7 @@
 #include "Boolean/ResolveBodies.h"
 
 #include "Boolean/SingleBodies.h"
+#include "Common/Stages.h"
 #include "Common/Team.h"
 #include "Resolve/FindIntersections.h"
 #include "Support/AllowedThreads.h"
@@ -12,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
+#include <thread>
 
 namespace
 {
@@ -240,6 +243,48 @@ TEST(ResolveBodies, NameTheBodyThatIsWrong)
     EXPECT_STREQ(error.what(), "body B: triangle 3 refers to point 88 of 8");
   }
 }
+/** Keeps the threads that it was asked on. */
+class AskedMonitor : public Monitor
+{
+public:
+  bool Continue(const char* stage, double fraction) override
+  {
+    this->IsOwn &= std::this_thread::get_id() == this->Own;
+    this->Stages.insert(stage);
+    return fraction <= 1;
+  }
+
+  const std::thread::id Own = std::this_thread::get_id();
+  bool IsOwn = true;
+  std::set<std::string> Stages;
+};
+
+TEST(ResolveBodies, AreTheSameSideBySideAndOneByOne)
+{
+  // Alike in size, so that threads take a body each, and one that has all threads.
+  const TriangleSoup inward = Reversed(Box({ 3, 0, 0 }, { 4, 1, 1 }));
+  const TriangleSoup twice = Join(Cube(0, 2), Cube(0, 2));
+  for (const std::vector<TriangleSoup>& soups :
+    { std::vector<TriangleSoup>{ Cube(0, 1), inward, Cube(0.5, 2), Cube(0.25, 3) },
+      std::vector<TriangleSoup>{ Cube(0, 1), Join(twice, Join(twice, twice)), inward } })
+  {
+    const ResolvedBodies expected = Resolved(soups);
+    const WholeTeams teams;
+    for (const int threads : { 1, 2, 4 })
+    {
+      const testthreads::Allowed allowed(threads);
+      AskedMonitor monitor;
+      const ResolvedBodies bodies = ResolveBodies(BodiesOf(soups), {}, monitor);
+      EXPECT_TRUE(monitor.IsOwn);
+      EXPECT_EQ(monitor.Stages.count(Stages::Orienting), 1u);
+      EXPECT_EQ(bodies.Surface.Points, expected.Surface.Points);
+      EXPECT_EQ(bodies.Surface.Facets, expected.Surface.Facets);
+      EXPECT_EQ(bodies.TurnedTriangles, expected.TurnedTriangles);
+      EXPECT_EQ(bodies.Warnings, expected.Warnings);
+    }
+  }
+}
+
 TEST(ResolveBodies, SaysThatMembranesDoNotCountUnlessTheyAreThickened)
 {
   TriangleSoup membrane;

@@ -182,6 +182,7 @@ TEST(JobsAtOnce, AStopReachesAllThreads)
       {
         EXPECT_EQ(error.Code, ErrorCode::Stopped);
       }
+      EXPECT_EQ(monitor.Reports, reports + 1) << "asked again after it had stopped them";
     }
   }
 }
