@@ -4,6 +4,7 @@
 #include "Common/Buckets.h"
 #include "Common/Error.h"
 #include "Common/Kernel.h"
+#include "Common/ParallelLoop.h"
 #include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Exact/InsertPoints.h"
@@ -14,6 +15,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
+#include <atomic>
 #include <tuple>
 #include <utility>
 
@@ -71,27 +73,37 @@ FlippableMesh::FlippableMesh(
   {
     this->AppendVertex(0);
   }
-  Id count = 0;
+  std::vector<Delaunay::Cell_handle> cells;
+  cells.reserve(delaunay.tds().number_of_cells());
   for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
   {
-    cell->info() = count++;
+    cell->info() = static_cast<Id>(cells.size());
+    cells.push_back(cell);
   }
-  this->Cells.reserve(static_cast<std::size_t>(count) * 5 / 4);
-  for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
+  constexpr double NanosecondsPerCell = 50;
+  this->Cells.reserve(cells.size() * 5 / 4);
+  this->Cells.resize(cells.size());
+  ParallelLoop(cells.size(), NanosecondsPerCell,
+    [&](std::size_t c)
+    {
+      FlippableCell& copy = this->Cells[c];
+      for (int k = 0; k < 4; ++k)
+      {
+        copy.Corners[k] = vertexOf(cells[c]->vertex(k));
+        copy.Neighbors[k] = cells[c]->neighbor(k)->info();
+        copy.Facets[k] = None;
+      }
+    });
+  for (Id cell = 0; cell < this->NumberOfCells(); ++cell)
   {
-    FlippableCell copy;
-    for (int k = 0; k < 4; ++k)
-    {
-      copy.Corners[k] = vertexOf(cell->vertex(k));
-      copy.Neighbors[k] = cell->neighbor(k)->info();
-      copy.Facets[k] = None;
-    }
-    if (!delaunay.is_infinite(cell))
-    {
-      this->Spanning = copy.Corners;
-    }
-    this->AppendCell(copy);
+    this->EnterAtCorners(cell);
   }
+  Id finite = this->NumberOfCells() - 1;
+  while (this->IsInfinite(finite))
+  {
+    --finite;
+  }
+  this->Spanning = this->Cells[finite].Corners;
 }
 
 void FlippableMesh::Star(Id vertex, std::vector<Id>& cells) const
@@ -128,53 +140,32 @@ std::vector<Id> FlippableMesh::NeighborsOf(const std::vector<Id>& points) const
 
 Id FlippableMesh::FindEdge(Id u, Id v) const
 {
-  if (this->CellOf[u] == None || this->CellOf[v] == None)
-  {
-    return None;
-  }
-  if (this->Has(this->CellOf[u], v))
-  {
-    return this->CellOf[u];
-  }
-  if (this->Has(this->CellOf[v], u))
-  {
-    return this->CellOf[v];
-  }
-  // Around both in turn: the smaller star decides, where the other may have thousands of cells.
-  CellMarks& marks = this->Own.Marks;
-  marks.Start(this->NumberOfCells());
-  const std::array<Id, 2> ends = { { u, v } };
-  for (int side = 0; side < 2; ++side)
-  {
-    marks.Add(this->CellOf[ends[side]]);
-    this->StarScratch[side].assign(1, this->CellOf[ends[side]]);
-  }
-  Id found = None;
-  std::size_t next = 0;
-  for (; found == None && next < std::min(this->StarScratch[0].size(), this->StarScratch[1].size());
-       ++next)
-  {
-    for (int side = 0; side < 2 && found == None; ++side)
+  const std::int64_t before = this->OwnSearch.Steps();
+  const Id cell = this->OwnSearch.Find(*this, u, v);
+  this->Work().Spend(this->OwnSearch.Steps() - before);
+  return cell;
+}
+
+std::vector<char> FlippableMesh::HasEdges(const std::vector<std::array<Id, 2>>& edges) const
+{
+  constexpr std::size_t EdgesPerTurn = 256;
+  constexpr double NanosecondsPerEdge = 300;
+  std::vector<char> has(edges.size());
+  const std::size_t turns = (edges.size() + EdgesPerTurn - 1) / EdgesPerTurn;
+  std::atomic<std::int64_t> steps{ 0 };
+  ParallelLoop(turns, EdgesPerTurn * NanosecondsPerEdge,
+    [&](std::size_t turn)
     {
-      const FlippableCell& cell = this->Cells[this->StarScratch[side][next]];
-      for (int k = 0; k < 4; ++k)
+      EdgeSearch search;
+      const std::size_t end = std::min((turn + 1) * EdgesPerTurn, edges.size());
+      for (std::size_t i = turn * EdgesPerTurn; i < end; ++i)
       {
-        const Id neighbor = cell.Neighbors[k];
-        if (cell.Corners[k] == ends[side] || marks.Has(neighbor))
-        {
-          continue;
-        }
-        if (this->Has(neighbor, ends[1 - side]))
-        {
-          found = neighbor;
-        }
-        marks.Add(neighbor);
-        this->StarScratch[side].push_back(neighbor);
+        has[i] = search.Find(*this, edges[i][0], edges[i][1]) != None;
       }
-    }
-  }
-  this->Work().Spend(static_cast<std::int64_t>(2 * next) / CellsPerWork);
-  return found;
+      steps += search.Steps();
+    });
+  this->Work().Spend(steps);
+  return has;
 }
 
 bool FlippableMesh::FindFace(Id a, Id b, Id c, Id& cell, int& face) const
@@ -235,33 +226,34 @@ void FlippableMesh::FindFacesInAllCells(
     Id Highest;
     std::size_t Triangle;
   };
-  const Buckets<Wanted> wanted(this->CellOf.size(),
-    [&](const auto& visit)
-    {
-      for (std::size_t i = 0; i < triangles.size(); ++i)
+  constexpr double NanosecondsPerTriangle = 20;
+  constexpr double NanosecondsPerCell = 40;
+  const Buckets<Wanted> wanted =
+    Buckets<Wanted>::Unordered(this->CellOf.size(), triangles.size(), NanosecondsPerTriangle,
+      [&](std::size_t i, const auto& visit)
       {
         const Triangle t = SortedTriangle(triangles[i]).Points;
         visit(static_cast<std::size_t>(t[0]), Wanted{ t[1], t[2], i });
-      }
-    });
-  for (Id cell = 0; cell < this->NumberOfCells(); ++cell)
-  {
-    for (int k = 0; k < 4 && !this->IsDead(cell); ++k)
+      });
+  ParallelLoop(this->NumberOfCells(), NanosecondsPerCell,
+    [&](Id cell)
     {
-      if (this->Cells[cell].Neighbors[k] < cell)
+      for (int k = 0; k < 4 && !this->IsDead(cell); ++k)
       {
-        continue;
-      }
-      const Triangle t = SortedTriangle(this->FaceCorners(cell, k)).Points;
-      for (const Wanted& triangle : wanted[static_cast<std::size_t>(t[0])])
-      {
-        if (triangle.Middle == t[1] && triangle.Highest == t[2])
+        if (this->Cells[cell].Neighbors[k] < cell)
         {
-          faces[triangle.Triangle] = { cell, k };
+          continue;
+        }
+        const Triangle t = SortedTriangle(this->FaceCorners(cell, k)).Points;
+        for (const Wanted& triangle : wanted[static_cast<std::size_t>(t[0])])
+        {
+          if (triangle.Middle == t[1] && triangle.Highest == t[2])
+          {
+            faces[triangle.Triangle] = { cell, k };
+          }
         }
       }
-    }
-  }
+    });
   this->Work().Spend(static_cast<std::int64_t>(this->Cells.size()) / CellsPerWork);
 }
 

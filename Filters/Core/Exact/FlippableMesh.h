@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Exact/EdgeSearch.h"
 #include "Exact/ExactVertices.h"
 #include "Mesh/Mesh.h"
 
@@ -52,6 +53,9 @@ public:
 
   /** A cell with both vertices, None if they share no edge. */
   Id FindEdge(Id u, Id v) const;
+
+  /** Whether the two vertices of each pair share an edge; on several threads. */
+  std::vector<char> HasEdges(const std::vector<std::array<Id, 2>>& edges) const;
 
   /** A cell with the three vertices and its face across from the fourth, if they are a face. */
   bool FindFace(Id a, Id b, Id c, Id& cell, int& face) const;
@@ -127,6 +131,6 @@ private:
   Id InfiniteVertex;
   std::array<Id, 4> Spanning;
   mutable Workspace Own;
-  mutable std::array<std::vector<Id>, 2> StarScratch;
+  mutable EdgeSearch OwnSearch;
 };
 } // namespace insideout

@@ -20,14 +20,25 @@ constexpr std::size_t SegmentsPerCheck = 16;
 std::vector<Id> FindMissingSegments(const ExactState& state, const std::vector<Id>& segments)
 {
   std::vector<Id> missing;
+  std::vector<std::array<Id, 2>> edges;
   for (const Id segment : segments)
   {
-    const std::array<Id, 2>& ends = state.Segments.EndsOf(segment);
-    if (!state.Segments.IsSplit(segment) && state.Mesh.FindEdge(ends[0], ends[1]) == None)
+    if (!state.Segments.IsSplit(segment))
     {
       missing.push_back(segment);
+      edges.push_back(state.Segments.EndsOf(segment));
     }
   }
+  const std::vector<char> areThere = state.Mesh.HasEdges(edges);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    if (!areThere[i])
+    {
+      missing[kept++] = missing[i];
+    }
+  }
+  missing.resize(kept);
   return missing;
 }
 

@@ -120,7 +120,20 @@ protected:
   }
 
   /** A cell with its neighbors' ids. */
-  void AppendCell(const CellType& cell);
+  void AppendCell(const CellType& cell)
+  {
+    this->Cells.push_back(cell);
+    this->EnterAtCorners(this->NumberOfCells() - 1);
+  }
+
+  /** Make a cell the one that CellAt returns for its corners. */
+  void EnterAtCorners(Id cell)
+  {
+    for (const Id corner : this->Cells[cell].Corners)
+    {
+      this->CellOf[corner] = cell;
+    }
+  }
 
   /** The arguments of Replace. */
   struct Replacement
@@ -276,16 +289,6 @@ void Mesh<Policy>::Ring(Id u, Id v, Id cell, EdgeRing& ring) const
 }
 
 // --- Changes -------------------------------------------------------------------------------------
-
-template <class Policy>
-void Mesh<Policy>::AppendCell(const CellType& cell)
-{
-  for (const Id corner : cell.Corners)
-  {
-    this->CellOf[corner] = this->NumberOfCells();
-  }
-  this->Cells.push_back(cell);
-}
 
 template <class Policy>
 void Mesh<Policy>::MarkOld(const std::vector<Id>& old, Workspace& work) const

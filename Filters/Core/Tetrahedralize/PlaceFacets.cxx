@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Tetrahedralize/PlaceFacets.h"
 
+#include "Common/ParallelLoop.h"
 #include "Common/TrianglePredicates.h"
 #include "Common/Vectors.h"
 #include "Tetrahedralize/PiecesOfFacet.h"
@@ -32,18 +33,29 @@ public:
     mesh.FacetSides.assign(mesh.Cells.size(), { { 0, 0, 0, 0 } });
   }
 
-  /** Whether the triangle is a face that no facet lies on yet. */
-  bool IsFree(const Triangle& triangle) const
+  FaceTable::Range FaceAt(const Triangle& triangle) const
   {
-    const FaceTable::Range face = this->Faces.Find(SortedTriangle(triangle));
+    return this->Faces.Find(SortedTriangle(triangle));
+  }
+
+  /** Whether the triangle is a face that no facet lies on yet. */
+  bool IsFree(const Triangle& triangle) const { return this->IsFree(this->FaceAt(triangle)); }
+  bool IsFree(const FaceTable::Range& face) const
+  {
     return face.First != face.Last && this->Mesh.Facets[face.First->Cell][face.First->Face] == None;
   }
 
   /** Put the facet on the face of `triangle`, a piece of the facet with the facet's orientation. */
   void Place(Id facet, const Triangle& triangle)
   {
+    this->Place(facet, triangle, this->FaceAt(triangle));
+  }
+
+  /** @param[in] face of the triangle */
+  void Place(Id facet, const Triangle& triangle, const FaceTable::Range& face)
+  {
     const SortedTriangle sorted(triangle);
-    for (const FaceEntry& side : this->Faces.Find(sorted))
+    for (const FaceEntry& side : face)
     {
       this->Mesh.Facets[side.Cell][side.Face] = facet;
       this->Mesh.FacetSides[side.Cell][side.Face] = side.Turned == sorted.Turned ? 1 : -1;
@@ -355,6 +367,10 @@ void PlaceFacets(const FacetComplex& surface, const FaceTable& faces,
       matched.push_back(std::move(split));
     }
   }
+  constexpr double NanosecondsPerFacet = 100;
+  std::vector<FaceTable::Range> faceOf(isSplit.size());
+  ParallelLoop(faceOf.size(), NanosecondsPerFacet,
+    [&](std::size_t facet) { faceOf[facet] = placer.FaceAt(surface.Facets[facet]); });
   std::vector<Id> whole;
   for (Id facet = 0; facet < surface.NumberOfConstraints; ++facet)
   {
@@ -362,9 +378,9 @@ void PlaceFacets(const FacetComplex& surface, const FaceTable& faces,
     {
       continue;
     }
-    if (placer.IsFree(surface.Facets[facet]))
+    if (placer.IsFree(faceOf[facet]))
     {
-      placer.Place(facet, surface.Facets[facet]);
+      placer.Place(facet, surface.Facets[facet], faceOf[facet]);
       whole.push_back(facet);
     }
     else

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/FlippableMesh.h"
 
+#include "Common/Team.h"
+#include "Support/AllowedThreads.h"
 #include "Support/FlippableMeshLaws.h"
 #include "Support/FlippableMeshes.h"
 
@@ -69,6 +71,34 @@ TEST(FlippableMesh, FindsAnEdgeWhereAndOnlyWhereACellHasBothEnds)
     }
   }
   EXPECT_EQ(found, static_cast<int>(edges.size()));
+}
+
+TEST(FlippableMesh, FindsManyEdgesAsItFindsEachAloneOnAnyNumberOfThreads)
+{
+  Monitor monitor;
+  WorkBudget work;
+  std::vector<Id> same;
+  const FlippableMesh mesh(BallWithCentre(600), same, work, monitor);
+  std::vector<std::array<Id, 2>> pairs;
+  std::vector<char> expected;
+  const std::int64_t before = work.Spent();
+  for (Id u = 0; u <= mesh.Infinite(); ++u)
+  {
+    for (Id v = 0; v <= mesh.Infinite(); v += 7)
+    {
+      pairs.push_back({ { u, v } });
+      expected.push_back(mesh.FindEdge(u, v) != None);
+    }
+  }
+  const std::int64_t spent = work.Spent() - before;
+  const WholeTeams teams;
+  for (const int threads : { 1, 2, 8 })
+  {
+    const testthreads::Allowed allowed(threads);
+    const std::int64_t begin = work.Spent();
+    EXPECT_EQ(mesh.HasEdges(pairs), expected);
+    EXPECT_EQ(work.Spent() - begin, spent);
+  }
 }
 
 TEST(FlippableMesh, FindsManyFacesAsItFindsEachAlone)
