@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/WalkedWindingNumber.h"
 
+#include "Common/ParallelLoop.h"
 #include "Common/Stages.h"
 #include "WindingNumber/Prefetch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
+#include <mutex>
 #include <string>
 
 namespace insideout
@@ -33,59 +36,119 @@ void PrefetchFaces(const TetrahedralMesh& mesh, Id cell)
 }
 
 /**
- * Carry the winding number from the hull into every cell that can be reached, and compare it
- * wherever a cell is met again. Cells that cannot be reached stay Unknown.
+ * Carry the winding number from the hull into every cell that can be reached, one layer of cells
+ * after the other, and compare it wherever a cell is met again. Cells that cannot be reached stay
+ * Unknown.
  */
 class Walk
 {
 public:
+  /** @throws Error Inconsistent: for any number of threads the one that a single thread meets */
   Walk(const FacetComplex& surface, const TetrahedralMesh& mesh)
-    : Mesh(mesh)
-    , W(mesh.Cells.size(), Unknown)
+    : Walk(surface, mesh, false)
   {
-    this->Reached.reserve(mesh.Cells.size());
-    for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+    if (!this->IsConsistent)
     {
-      for (int k = 0; k < 4; ++k)
-      {
-        if (mesh.Neighbors[cell][k] == None)
-        {
-          this->Reach(None, cell, MultiplicityOnEntering(surface, mesh, cell, k));
-        }
-      }
-    }
-    for (std::size_t next = 0; next < this->Reached.size(); ++next)
-    {
-      if (next + StepsAhead < this->Reached.size())
-      {
-        this->PrefetchNeighbors(this->Reached[next + StepsAhead]);
-      }
-      const Id cell = this->Reached[next];
-      for (int k = 0; k < 4; ++k)
-      {
-        if (mesh.Neighbors[cell][k] != None)
-        {
-          this->Reach(cell, mesh.Neighbors[cell][k],
-            this->W[cell] - MultiplicityOnEntering(surface, mesh, cell, k));
-        }
-      }
+      Walk(surface, mesh, true);
     }
   }
 
   const std::vector<int>& Values() const { return this->W; }
 
 private:
-  void Reach(Id from, Id to, int value)
+  Walk(const FacetComplex& surface, const TetrahedralMesh& mesh, bool isAlone)
+    : Surface(surface)
+    , Mesh(mesh)
+    , IsAlone(isAlone)
+    , W(mesh.Cells.size(), Unknown)
   {
-    if (this->W[to] == Unknown)
+    this->Layer(mesh.Cells.size(),
+      [this](std::size_t first, std::size_t last, std::vector<Id>& next)
+      {
+        for (Id cell = static_cast<Id>(first); cell < static_cast<Id>(last); ++cell)
+        {
+          this->Enter(cell, next);
+        }
+      });
+    while (!this->Reached.empty() && this->IsConsistent)
     {
-      this->W[to] = value;
-      this->Reached.push_back(to);
+      const std::vector<Id> layer = std::move(this->Reached);
+      this->Reached.clear();
+      this->Layer(layer.size(),
+        [this, &layer](std::size_t first, std::size_t last, std::vector<Id>& next)
+        {
+          for (std::size_t i = first; i < last; ++i)
+          {
+            if (i + StepsAhead < last)
+            {
+              this->PrefetchNeighbors(layer[i + StepsAhead]);
+            }
+            this->Leave(layer[i], next);
+          }
+        });
+    }
+  }
+
+  /** Call visit(first, last, next) for all stretches of a layer; `next` are the cells reached. */
+  template <class Visit>
+  void Layer(std::size_t size, const Visit& visit)
+  {
+    constexpr std::size_t CellsPerTurn = 1024;
+    constexpr double NanosecondsPerCell = 40;
+    const std::size_t perTurn = this->IsAlone ? std::max<std::size_t>(size, 1) : CellsPerTurn;
+    ParallelLoop((size + perTurn - 1) / perTurn, CellsPerTurn * NanosecondsPerCell,
+      [&](std::size_t turn)
+      {
+        std::vector<Id> next;
+        visit(turn * perTurn, std::min((turn + 1) * perTurn, size), next);
+        const std::lock_guard<std::mutex> lock(this->Mutex);
+        this->Reached.insert(this->Reached.end(), next.begin(), next.end());
+      });
+  }
+
+  /** From beyond the hull. */
+  void Enter(Id cell, std::vector<Id>& next)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (this->Mesh.Neighbors[cell][k] == None)
+      {
+        this->Reach(None, cell, MultiplicityOnEntering(this->Surface, this->Mesh, cell, k), next);
+      }
+    }
+  }
+
+  /** Into the neighbors. */
+  void Leave(Id cell, std::vector<Id>& next)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (this->Mesh.Neighbors[cell][k] != None)
+      {
+        this->Reach(cell, this->Mesh.Neighbors[cell][k],
+          this->W[cell] - MultiplicityOnEntering(this->Surface, this->Mesh, cell, k), next);
+      }
+    }
+  }
+
+  /** The thread that is there first has the cell in the next layer. */
+  void Reach(Id from, Id to, int value, std::vector<Id>& next)
+  {
+    int known = __atomic_load_n(&this->W[to], __ATOMIC_RELAXED);
+    if (known == Unknown &&
+      __atomic_compare_exchange_n(
+        &this->W[to], &known, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+    {
+      next.push_back(to);
       PrefetchFaces(this->Mesh, to);
     }
-    else if (this->W[to] != value)
+    else if (known != value && this->IsAlone)
     {
       ThrowDifferent(from, to);
+    }
+    else if (known != value)
+    {
+      this->IsConsistent = false;
     }
   }
 
@@ -100,9 +163,13 @@ private:
     }
   }
 
+  const FacetComplex& Surface;
   const TetrahedralMesh& Mesh;
+  const bool IsAlone; ///< one thread takes all cells in turn
   std::vector<int> W;
-  std::vector<Id> Reached;
+  std::atomic<bool> IsConsistent{ true };
+  std::mutex Mutex;
+  std::vector<Id> Reached; ///< in the layer after the one that is left
 };
 
 /** Walk from a part's first cell to all others. */

@@ -2,6 +2,7 @@
 #include "WindingNumber/WindingNumberOfCells.h"
 
 #include "Common/Team.h"
+#include "Support/AllowedThreads.h"
 #include "Support/TestMeshes.h"
 #include "Support/TestTetrahedra.h"
 #include "Support/WindingNumberInQuads.h"
@@ -199,10 +200,26 @@ TEST(WindingNumberOfCells, NamesTheCellsBetweenWhichTheCountIsWrong)
   const Id neighbor = wrong.Neighbors[50][face];
   ASSERT_NE(neighbor, None);
   wrong.FacetSides[50][face] = static_cast<std::int8_t>(-wrong.FacetSides[50][face]);
-  std::string message;
-  EXPECT_EQ(CodeOf(surface, wrong, message), ErrorCode::Inconsistent);
-  EXPECT_NE(message.find("cell 50"), std::string::npos) << message;
-  EXPECT_NE(message.find("cell " + std::to_string(neighbor)), std::string::npos) << message;
+  std::string first;
+  EXPECT_EQ(CodeOf(surface, wrong, first), ErrorCode::Inconsistent);
+  EXPECT_NE(first.find("cell 50"), std::string::npos) << first;
+  EXPECT_NE(first.find("cell " + std::to_string(neighbor)), std::string::npos) << first;
+
+  // With more of them, threads meet them in any order.
+  for (std::size_t cell = 0; cell < wrong.Cells.size(); cell += 3)
+  {
+    wrong.FacetSides[cell] = { { 1, 1, 1, 1 } };
+    wrong.Facets[cell] = { { 0, 0, 0, 0 } };
+  }
+  EXPECT_EQ(CodeOf(surface, wrong, first), ErrorCode::Inconsistent);
+  const WholeTeams teams;
+  for (const int threads : { 1, 2, 8 })
+  {
+    const testthreads::Allowed allowed(threads);
+    std::string message;
+    EXPECT_EQ(CodeOf(surface, wrong, message), ErrorCode::Inconsistent);
+    EXPECT_EQ(message, first);
+  }
 }
 
 TEST(WindingNumberOfCells, NamesACellThatCannotBeReached)
