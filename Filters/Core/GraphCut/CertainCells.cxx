@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCut/CertainCells.h"
 
+#include "Common/ParallelLoop.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace insideout
 {
+namespace
+{
+constexpr double NanosecondsPerCell = 20; ///< for looking at a cell's neighbors
+} // namespace
+
 CertainCells::CertainCells(const CutEnergy& energy)
   : Energy(energy)
   , OpenCells(energy.NumberOfCells())
@@ -62,16 +69,18 @@ bool CertainCells::Look()
   {
     this->States[cell] = this->Guess(cell);
   }
-  for (const Id cell : this->OpenCells)
-  {
-    const State opposite =
-      this->States[cell] == State::MaybeInside ? State::MaybeOutside : State::MaybeInside;
-    this->Against[cell] = 0;
-    for (const CutEnergy::Neighbor& next : this->Energy.Neighbors(cell))
+  ParallelLoop(before, NanosecondsPerCell,
+    [this](std::size_t i)
     {
-      this->Against[cell] += this->States[next.Cell] == opposite ? next.Cost : 0;
-    }
-  }
+      const Id cell = this->OpenCells[i];
+      const State opposite =
+        this->States[cell] == State::MaybeInside ? State::MaybeOutside : State::MaybeInside;
+      this->Against[cell] = 0;
+      for (const CutEnergy::Neighbor& next : this->Energy.Neighbors(cell))
+      {
+        this->Against[cell] += this->States[next.Cell] == opposite ? next.Cost : 0;
+      }
+    });
   this->GivenUp.clear();
   for (const Id cell : this->OpenCells)
   {

@@ -16,6 +16,7 @@ namespace
 constexpr int TermBits = 52;
 
 constexpr double NanosecondsPerFace = 7; // for the exponential; rounding takes half of it
+constexpr double NanosecondsPerCell = 20;
 
 [[noreturn]] void ThrowInvalid(const std::string& message)
 {
@@ -212,25 +213,26 @@ void CutEnergy::MakeIntegers()
   this->ListNeighbors(costs);
 
   this->Gains.resize(cells);
-  for (std::size_t i = 0; i < cells; ++i)
-  {
-    const Id cell = static_cast<Id>(i);
-    std::int64_t all = 0;
-    for (const Neighbor& neighbor : this->Neighbors(cell))
+  ParallelLoop(cells, NanosecondsPerCell,
+    [&](std::size_t i)
     {
-      all += neighbor.Cost;
-    }
-    const double gain = GainInside(this->W(cell));
-    const double scaled = std::ldexp(std::abs(gain), -gammaExponent) * this->Weight(cell);
-    // A preference keeps its sign, however small: without smoothness this is an exact threshold.
-    const std::int64_t least = std::max<std::int64_t>(
-      1, scaled < 2 * around[i] ? std::min(ToInteger(scaled, shift), 2 * all) : 2 * all);
-    const int demand = this->Demand(cell);
-    this->Gains[i] = demand != 0 ? demand * (2 * all + 1)
-      : gain > 0                 ? least
-      : gain < 0                 ? -least
-                                 : 0;
-  }
+      const Id cell = static_cast<Id>(i);
+      std::int64_t all = 0;
+      for (const Neighbor& neighbor : this->Neighbors(cell))
+      {
+        all += neighbor.Cost;
+      }
+      const double gain = GainInside(this->W(cell));
+      const double scaled = std::ldexp(std::abs(gain), -gammaExponent) * this->Weight(cell);
+      // A preference keeps its sign, however small: without smoothness this is an exact threshold.
+      const std::int64_t least = std::max<std::int64_t>(
+        1, scaled < 2 * around[i] ? std::min(ToInteger(scaled, shift), 2 * all) : 2 * all);
+      const int demand = this->Demand(cell);
+      this->Gains[i] = demand != 0 ? demand * (2 * all + 1)
+        : gain > 0                 ? least
+        : gain < 0                 ? -least
+                                   : 0;
+    });
 }
 
 void CutEnergy::ListNeighbors(const std::vector<std::int64_t>& costs)

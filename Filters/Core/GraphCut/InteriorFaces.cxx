@@ -38,24 +38,30 @@ double AreaOf(const Point& a, const Point& b, const Point& c)
 std::vector<InteriorFace> InteriorFaces(const TetrahedralMesh& mesh)
 {
   const std::vector<Point> points = PointsBelowOne(mesh);
-  std::vector<InteriorFace> faces;
-  std::vector<Triangle> corners;
-  faces.reserve(2 * mesh.Cells.size());
-  corners.reserve(2 * mesh.Cells.size());
+  const auto isFirst = [&mesh](Id cell, int k) { return mesh.Neighbors[cell][k] > cell; };
+  std::vector<std::size_t> begin(mesh.Cells.size() + 1, 0); // of the faces that a cell is first at
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
+    begin[cell + 1] = begin[cell];
     for (int k = 0; k < 4; ++k)
     {
-      if (mesh.Neighbors[cell][k] > cell)
-      {
-        faces.push_back({ cell, mesh.Neighbors[cell][k], 0 });
-        corners.push_back(FaceOf(mesh.Cells[cell], k));
-      }
+      begin[cell + 1] += isFirst(cell, k);
     }
   }
-  ParallelLoop(faces.size(), NanosecondsPerElement,
-    [&](std::size_t f) {
-      faces[f].Area = AreaOf(points[corners[f][0]], points[corners[f][1]], points[corners[f][2]]);
+  std::vector<InteriorFace> faces(begin.back());
+  ParallelLoop(mesh.NumberOfCells(), 2 * NanosecondsPerElement,
+    [&](Id cell)
+    {
+      InteriorFace* face = faces.data() + begin[cell];
+      for (int k = 0; k < 4; ++k)
+      {
+        if (isFirst(cell, k))
+        {
+          const Triangle t = FaceOf(mesh.Cells[cell], k);
+          *face++ = { cell, mesh.Neighbors[cell][k],
+            AreaOf(points[t[0]], points[t[1]], points[t[2]]) };
+        }
+      }
     });
   return faces;
 }

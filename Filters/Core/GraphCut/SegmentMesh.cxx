@@ -172,10 +172,11 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
       " points of the boundary could not be made manifold: " +
       (!hasSeeds ? "the hull is not manifold there" : "seeds that are to be outside forbid it"));
   }
-  result.Statistics = { { "Energy", energy.Of(result.Inside) }, { "EnergyOfCut", energy.Of(cut) },
-    { "ForcedFacets", kept.Forced },
-    { "ForcedCells", labels.NumberOfForced() + topology.ForcedCells },
-    { "ChangedCells", CountDifferent(result.Inside, cut) },
+  const Id changed = CountDifferent(result.Inside, cut);
+  const double energyOfCut = energy.Of(cut);
+  result.Statistics = { { "Energy", changed == 0 ? energyOfCut : energy.Of(result.Inside) },
+    { "EnergyOfCut", energyOfCut }, { "ForcedFacets", kept.Forced },
+    { "ForcedCells", labels.NumberOfForced() + topology.ForcedCells }, { "ChangedCells", changed },
     { "UnsatisfiedFacets", unsatisfied + dropped }, { "NonManifoldPoints", filled.LeftPoints },
     { "SeedConflicts", seeded.Conflicts + unsatisfied + filled.LeftPoints + lostSeeds } };
   Tell(topology, result);
