@@ -2,8 +2,10 @@
 #include "Resolve/FacetsNearOthers.h"
 
 #include "Common/Box.h"
+#include "Common/ParallelLoop.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -16,6 +18,8 @@ namespace
 constexpr std::size_t CellsPerFacet = 16;
 
 constexpr Id Several = -2; ///< sets in one cell
+
+constexpr double NanosecondsPerRange = 30; ///< for finding or visiting one
 
 using GridPlace = std::array<std::uint16_t, 3>;
 
@@ -111,6 +115,26 @@ private:
   std::size_t Size; ///< cells along each axis
   const double PerLength;
 };
+/** Add a set to those of a cell: the same for any order. */
+void AddTo(Id& setIn, Id set)
+{
+  Id known = __atomic_load_n(&setIn, __ATOMIC_RELAXED);
+  while (known != set && known != Several &&
+    !__atomic_compare_exchange_n(
+      &setIn, &known, known == None ? set : Several, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+  {
+  }
+}
+
+/** Call visit(first, last) for stretches of facets that make up all. */
+template <class Visit>
+void ForStretches(std::size_t facets, const Visit& visit)
+{
+  constexpr std::size_t FacetsPerTurn = 1024;
+  ParallelLoop((facets + FacetsPerTurn - 1) / FacetsPerTurn, FacetsPerTurn * NanosecondsPerRange,
+    [&](std::size_t turn)
+    { visit(turn * FacetsPerTurn, std::min((turn + 1) * FacetsPerTurn, facets)); });
+}
 } // namespace
 
 std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
@@ -121,23 +145,24 @@ std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
     return {}; // a single set
   }
   FacetGrid grid(BoundingBox(points), facets.size());
-  std::vector<CellRange> around; // each point
-  around.reserve(points.size());
-  for (const Point& p : points)
-  {
-    around.push_back(grid.CellsOf(p, radius));
-  }
-  std::vector<CellRange> ranges;
-  ranges.reserve(facets.size());
-  std::size_t size = 0;
-  for (const auto& [a, b, c] : facets)
-  {
-    CellRange range = around[a];
-    range.Add(around[b]);
-    range.Add(around[c]);
-    ranges.push_back(range);
-    size += range.Size();
-  }
+  std::vector<CellRange> around(points.size()); // each point
+  ParallelLoop(points.size(), NanosecondsPerRange,
+    [&](std::size_t p) { around[p] = grid.CellsOf(points[p], radius); });
+  std::vector<CellRange> ranges(facets.size());
+  std::atomic<std::size_t> size{ 0 };
+  ForStretches(facets.size(),
+    [&](std::size_t first, std::size_t last)
+    {
+      std::size_t own = 0;
+      for (std::size_t f = first; f < last; ++f)
+      {
+        ranges[f] = around[facets[f][0]];
+        ranges[f].Add(around[facets[f][1]]);
+        ranges[f].Add(around[facets[f][2]]);
+        own += ranges[f].Size();
+      }
+      size += own;
+    });
   while (size > CellsPerFacet * facets.size()) // which ends with a single cell
   {
     grid.Coarsen();
@@ -150,23 +175,26 @@ std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
   }
 
   std::vector<Id> setIn(grid.NumberOfCells(), None);
-  for (std::size_t f = 0; f < facets.size(); ++f)
-  {
-    grid.Visit(ranges[f],
-      [&](std::size_t cell)
+  ParallelLoop(facets.size(), NanosecondsPerRange,
+    [&](std::size_t f)
+    {
+      if (setOf[f] != None)
       {
-        if (setOf[f] != None && setIn[cell] != setOf[f])
-        {
-          setIn[cell] = setIn[cell] == None ? setOf[f] : Several;
-        }
-      });
-  }
+        grid.Visit(ranges[f], [&](std::size_t cell) { AddTo(setIn[cell], setOf[f]); });
+      }
+    });
+  std::vector<char> isNear(facets.size(), 0);
+  ParallelLoop(facets.size(), NanosecondsPerRange,
+    [&](std::size_t f)
+    {
+      bool meets = false;
+      grid.Visit(ranges[f], [&](std::size_t cell) { meets |= setIn[cell] == Several; });
+      isNear[f] = meets && setOf[f] != None;
+    });
   std::vector<Id> near;
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
-    bool isNear = false;
-    grid.Visit(ranges[f], [&](std::size_t cell) { isNear |= setIn[cell] == Several; });
-    if (isNear && setOf[f] != None)
+    if (isNear[f])
     {
       near.push_back(static_cast<Id>(f));
     }

@@ -3,7 +3,7 @@
 
 #include "Common/Box.h"
 #include "Common/Buckets.h"
-#include "Common/FirstOfEqual.h"
+#include "Common/ParallelLoop.h"
 #include "Common/PointPredicates.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace insideout
 {
@@ -64,39 +66,93 @@ bool Participates(const TriangleSoup& soup, Id triangle)
   return soup.NonParticipating.empty() || soup.NonParticipating[triangle] == 0;
 }
 
+/** Per triangle the first one with the same corners, itself included; None for degenerate ones. */
+std::vector<Id> FirstWithSameCorners(
+  const TriangleSoup& soup, const std::vector<SortedTriangle>& sorted)
+{
+  struct Entry
+  {
+    Id Middle;
+    Id Highest;
+    Id Triangle;
+  };
+  const double nanosecondsPerTriangle = 30;
+  std::vector<Id> first(sorted.size(), None);
+  ParallelLoop(sorted.size(), nanosecondsPerTriangle,
+    [&](std::size_t t)
+    {
+      if (!IsDegenerate(soup.Points, sorted[t].Points))
+      {
+        first[t] = static_cast<Id>(t);
+      }
+    });
+  Buckets<Entry> byLowest =
+    Buckets<Entry>::Unordered(soup.Points.size(), sorted.size(), nanosecondsPerTriangle / 3,
+      [&](std::size_t t, const auto& visit)
+      {
+        if (first[t] != None)
+        {
+          const Triangle& corners = sorted[t].Points;
+          visit(static_cast<std::size_t>(corners[0]),
+            Entry{ corners[1], corners[2], static_cast<Id>(t) });
+        }
+      });
+  ParallelLoop(byLowest.Size(), nanosecondsPerTriangle,
+    [&](std::size_t lowest)
+    {
+      byLowest.Sort(lowest,
+        [](const Entry& a, const Entry& b) {
+          return std::tie(a.Middle, a.Highest, a.Triangle) <
+            std::tie(b.Middle, b.Highest, b.Triangle);
+        });
+      Entry leader = { None, None, None };
+      for (const Entry& entry : byLowest[lowest])
+      {
+        const bool isSame = entry.Middle == leader.Middle && entry.Highest == leader.Highest;
+        leader = isSame ? leader : entry;
+        first[entry.Triangle] = leader.Triangle;
+      }
+    });
+  return first;
+}
+
 /** One facet per set of three corners, in the order of their first triangles, with its sources. */
 void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, CountedChain& chain)
 {
   FacetComplex& surface = chain.Surface;
-  FirstOfEqual equal(soup.Triangles.size());
-  std::vector<SortedTriangle> leaders; // of the facets
-  std::vector<FacetSource> places;     // per triangle its facet, None for degenerate ones
+  const auto cornersOf = [&](std::size_t t)
+  {
+    const Triangle& given = soup.Triangles[t];
+    return Triangle{ { merged[given[0]], merged[given[1]], merged[given[2]] } };
+  };
+  std::vector<SortedTriangle> sorted;
+  sorted.reserve(soup.Triangles.size());
+  for (std::size_t t = 0; t < soup.Triangles.size(); ++t)
+  {
+    sorted.emplace_back(cornersOf(t));
+  }
+  const std::vector<Id> first = FirstWithSameCorners(soup, sorted);
+  std::vector<FacetSource> places; // per triangle its facet, None for degenerate ones
   surface.Facets.reserve(soup.Triangles.size());
-  leaders.reserve(soup.Triangles.size());
   places.reserve(soup.Triangles.size());
   for (Id t = 0; t < static_cast<Id>(soup.Triangles.size()); ++t)
   {
-    const Triangle& given = soup.Triangles[t];
-    const Triangle corners{ { merged[given[0]], merged[given[1]], merged[given[2]] } };
-    if (IsDegenerate(soup.Points, corners))
+    if (first[t] == None)
     {
       chain.DegenerateTriangles.push_back(t);
       places.push_back({ None, false });
       continue;
     }
-    const SortedTriangle sorted(corners);
-    const Id next = surface.NumberOfFacets();
-    const Id facet = equal.Find(next, HashOfTriangle()(sorted.Points),
-      [&](Id other) { return leaders[other].Points == sorted.Points; });
-    if (facet == next)
+    if (first[t] == t)
     {
-      surface.Facets.push_back(corners);
-      leaders.push_back(sorted);
+      places.push_back({ surface.NumberOfFacets(), false });
+      surface.Facets.push_back(cornersOf(t));
+      continue;
     }
-    places.push_back({ facet, sorted.Turned != leaders[facet].Turned });
+    places.push_back({ places[first[t]].Triangle, sorted[t].Turned != sorted[first[t]].Turned });
   }
 
-  const Buckets<FacetSource> sources(surface.Facets.size(),
+  Buckets<FacetSource> sources(surface.Facets.size(),
     [&](auto visit)
     {
       for (std::size_t t = 0; t < places.size(); ++t)
@@ -108,13 +164,13 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, Coun
         }
       }
     });
-  surface.Sources.reserve(soup.Triangles.size());
   surface.SourceOffsets.reserve(surface.Facets.size() + 1);
   for (std::size_t f = 0; f < surface.Facets.size(); ++f)
   {
-    surface.Sources.insert(surface.Sources.end(), sources[f].begin(), sources[f].end());
-    surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
+    surface.SourceOffsets.push_back(
+      surface.SourceOffsets.back() + static_cast<Id>(sources[f].Size()));
   }
+  surface.Sources = std::move(sources).TakeAll();
   surface.NumberOfConstraints = surface.NumberOfFacets();
 }
 
