@@ -44,7 +44,7 @@ inline auto AsTuple(const insideout::HullMeshParameters& parameters, const HullA
     blockNames, blocksTime);
 }
 
-/** Stages validate to w of a surface. */
+/** The results of a surface's stages, from validation to w. */
 struct KeptHull
 {
   /** Reads the surface. @throws insideout::Error */

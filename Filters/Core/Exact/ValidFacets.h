@@ -13,8 +13,8 @@ namespace insideout
 std::vector<Id> FacetsWithArea(
   const std::vector<Point>& points, const std::vector<Triangle>& facets);
 
-/** Facets that meet others beyond shared corners and edges, or that are there twice: not all of
- * these can be had. @throws Error Stopped */
+/** Facets that meet others beyond shared corners and edges, or are duplicated: no mesh has all of
+ * these. @throws Error Stopped */
 std::set<Id> FacetsThatCross(
   const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);
 

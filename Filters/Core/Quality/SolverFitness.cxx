@@ -263,12 +263,11 @@ std::string AdviceFor(const SolverFitness& fitness, CellTreatment done)
   if (fitness.CellsOnNeedles > 0 && done != CellTreatment::Remeshed)
   {
     add(SomeOf(fitness.CellsOnNeedles, all) +
-      " lie on needles of the surface, for which SurfaceTreatment remeshed puts other "
-      "triangles");
+      " lie on needles of the surface, which SurfaceTreatment remeshed replaces");
   }
   else if (done == CellTreatment::Refined)
   {
-    add("SurfaceTreatment remeshed puts other triangles where the surface forces them");
+    add("SurfaceTreatment remeshed replaces triangles that force such cells");
   }
   else if (done == CellTreatment::Remeshed && fitness.TooSmallCells == 0)
   {

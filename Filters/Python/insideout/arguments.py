@@ -132,7 +132,7 @@ def _name_command(parser: argparse.ArgumentParser, options: argparse.Namespace) 
     if len(chosen) > 1:
         parser.error(f"{options.called} {WHY_NOT[options.command]}: it goes without {chosen[1]}")
     if options.distance and options.command != "query":
-        parser.error("--distance is of places: it goes with --winding")
+        parser.error("--distance goes with --winding")
 
 
 def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: list[str]) -> list[Files]:

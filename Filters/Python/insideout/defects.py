@@ -35,7 +35,7 @@ DEFECTS = (
     ),
     Defect(
         *("NearPoints", "near-coincident point", "near-coincident points"),
-        "what is meant to be joined there may be torn: if so, set the merge tolerance to {NearDistance:.2g}",
+        "parts that should be joined there may be torn: if so, set the merge tolerance to {NearDistance:.2g}",
         matters=True,
     ),
     Defect(

@@ -104,7 +104,7 @@ def _refined(statistics: Mapping[str, float]) -> list[str]:
         lines.append(f"  {thin} tetrahedra have an angle below 10 degrees; {sharp} edges of the boundary are as sharp")
     if "SurfaceDistance" in statistics:
         apart = max(statistics["SurfaceDistance"], statistics["InputDistance"])
-        lines.append(f"  the boundary is within {apart:.3g} of the surface before, which is {statistics['SurfaceTolerance']:.3g} at most")
+        lines.append(f"  the boundary is within {apart:.3g} of the previous surface; the limit is {statistics['SurfaceTolerance']:.3g}")
     return lines
 
 
