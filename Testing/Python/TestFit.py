@@ -243,7 +243,7 @@ class Unfit(CommandLine):
         surface = self.file("needles.ply", needles)
         done = run_here("mesh", surface, self.path("solid.msh"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, r"Warning: .*solid\.msh: a solver .*(they|\d+ of them) lie on needles of the surface, for which --surface-treatment remeshed")
+        self.assertRegex(done.stdout, r"Warning: .*solid\.msh: a solver .*(they|\d+ of them) lie on needles of the surface, which --surface-treatment remeshed replaces")
         done = run_here("mesh", surface, self.path("solid.msh"), "--surface-treatment", "remeshed", "--force")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotIn("a solver", done.stdout)

@@ -39,7 +39,7 @@ private:
   {
     Outside,
     Inside,
-    MaybeOutside, ///< this and the next only while deciding
+    MaybeOutside, ///< used, as the next one, only while deciding
     MaybeInside,
     Open
   };
