@@ -2,10 +2,9 @@
 /** @file Finds the tags and regions that rules of sizes name. */
 #pragma once
 
-#include "Refine/RefineTetrahedra.h"
+#include "Data/VtkClasses.h"
 
-class vtkPolyData;
-class vtkUnstructuredGrid;
+#include "Refine/RefineTetrahedra.h"
 
 namespace vtkInsideOut
 {

@@ -37,7 +37,7 @@ MOST_SHARE = 1 / 20  # of fTetWild's seconds
 
 
 def commands(surface: Path, folder: Path, diagonal: float) -> dict[str, tuple[list[str], Path]]:
-    """What is run, and the mesh that it writes."""
+    """The command of each mesher, and the mesh that it writes."""
     ours, theirs = folder / "ours.vtu", folder / "theirs"
     program = [sys.executable, "-m", "insideout", str(surface), str(ours), "--dimension", "3", "--quiet", "--force"]
     lengths = ["--edge-length", repr(LENGTH * diagonal), "--surface-tolerance", repr(ENVELOPE * diagonal)]
