@@ -71,6 +71,8 @@ RefinementParameters vtkInsideOut::RefinementParametersOf(vtkRefineTetrahedra* f
   {
     parameters.Surface = SurfaceTreatment::Remeshed;
   }
+  parameters.TreatsNeedles = filter->GetSurfaceTreatment() == vtkRefineTetrahedra::AUTOMATIC &&
+    parameters.Surface == SurfaceTreatment::Kept;
   parameters.SurfaceTolerance = filter->GetSurfaceTolerance();
   parameters.FeatureAngle = filter->GetFeatureAngle();
   return parameters;
@@ -173,6 +175,7 @@ int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
       if (this->SurfaceTreatment == AUTOMATIC && !this->SizingArrayName.empty())
       {
         parameters.Surface = SurfaceTreatment::Remeshed;
+        parameters.TreatsNeedles = false;
       }
       const vtkInsideOut::Refinement refinement =
         vtkInsideOut::RefineGrid(input, nullptr, parameters, this->QuadraticCells, monitor);

@@ -126,9 +126,11 @@ public:
    * Treatment of the triangles of the boundary and between regions. KEPT: each stays, bit by bit.
    * SPLIT: they are divided, so that long and thin ones do not make thin cells. REMESHED: they are
    * replaced, within SurfaceTolerance, by triangles of the requested edge length. AUTOMATIC:
-   * REMESHED if EdgeLength or SizingArrayName is given, else KEPT. Default AUTOMATIC. SPLIT keeps
-   * all points; the pieces lie in the triangles' planes, within rounding. REMESHED keeps edges
-   * above FeatureAngle, and triangles whose replacement would touch another part of the boundary.
+   * REMESHED if EdgeLength, SizeRules or SizingArrayName is given, else KEPT. Default AUTOMATIC. If
+   * needles of a surface kept so leave cells that a solver refuses, AUTOMATIC takes REMESHED if
+   * that helps, with a warning. SPLIT keeps all points; the pieces lie in the triangles' planes,
+   * within rounding. REMESHED keeps edges above FeatureAngle, and triangles whose replacement would
+   * touch another part of the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);

@@ -300,6 +300,7 @@ vtkInsideOut::SolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
   {
     options.Refinement.Surface = SurfaceTreatment::Kept;
     options.Refinement.CouldBeTreated = false;
+    options.Refinement.TreatsNeedles = false;
   }
   options.QuadraticCells = filter->GetRefinement()->GetQuadraticCells();
   if (options.Refine)

@@ -63,10 +63,11 @@
  * does not mesh again. ReleaseDataFlagOn() releases that memory.
  *
  * Statistics are those of the stages, and more. SharedPoints: points that NONMANIFOLD_SPLIT copied
- * on the boundary only. SeparateOverlaps: Overlaps, SeparatedOverlaps, CopiedCells. Outliers:
- * OutlierFacets, a count for each reason, and LostShare, their share of the surface's area. Solid,
- * with density 1 and in units of the input: Regions, Volume, CenterOfMassX to Z. The inertia tensor
- * about that center is InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x y).
+ * on the boundary only. SeparateOverlaps: Overlaps, SeparatedOverlaps, CopiedCells. KeptByOptions:
+ * 1 if options keep the surface. Outliers: OutlierFacets, a count for each reason, and LostShare,
+ * their share of the surface's area. Solid, with density 1 and in units of the input: Regions,
+ * Volume, CenterOfMassX to Z. The inertia tensor about that center is InertiaXX to InertiaXZ (XX is
+ * the integral of y^2 + z^2, XY of -x y).
  * Topology: SolidComponents, SolidTunnels and SolidCavities, the Betti numbers of the closed cells;
  * SolidEulerCharacteristic; the same with Boundary instead of Solid; Genus, half of
  * BoundaryTunnels.

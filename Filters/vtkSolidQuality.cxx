@@ -146,7 +146,8 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
       AppendFitness(fitness, statistics);
       if (!fitness.IsGood())
       {
-        warnings.push_back(WordsOfFitness(fitness, vtkInsideOut::TreatmentOf(input)));
+        warnings.push_back(WordsOfFitness(
+          fitness, vtkInsideOut::TreatmentOf(input), vtkInsideOut::MayBeRemeshed(input)));
       }
       if (defects.Conforms())
       {

@@ -98,8 +98,9 @@ void vtkSolidWriter::WriteFile()
       if (!fitness.IsGood())
       {
         const CellTreatment done = vtkInsideOut::TreatmentOf(this->GetInput());
-        vtkInsideOut::Warn(
-          this, { std::string(this->FileName) + ": " + WordsOfFitness(fitness, done) });
+        vtkInsideOut::Warn(this,
+          { std::string(this->FileName) + ": " +
+            WordsOfFitness(fitness, done, vtkInsideOut::MayBeRemeshed(this->GetInput())) });
       }
     });
   if (!written)

@@ -346,4 +346,11 @@ CellTreatment TreatmentOf(vtkDataObject* input)
   }
   return done;
 }
+
+bool MayBeRemeshed(vtkDataObject* input)
+{
+  const auto statistics = StatisticsOf(PartsOf(input).Solid->GetFieldData());
+  return std::none_of(statistics.begin(), statistics.end(),
+    [](const auto& one) { return one.first == "KeptByOptions"; });
+}
 } // namespace vtkInsideOut

@@ -21,6 +21,9 @@ namespace vtkInsideOut
  */
 insideout::SolidMesh ReadSolid(vtkDataObject* input, vtkPolyData* boundary);
 
-/** The number of completed cells of such an input, from its statistics. */
+/** The remedies taken for such an input, by its statistics. */
 insideout::CellTreatment TreatmentOf(vtkDataObject* input);
+
+/** Whether the options that it was made with allow another treatment of its surface. */
+bool MayBeRemeshed(vtkDataObject* input);
 } // namespace vtkInsideOut

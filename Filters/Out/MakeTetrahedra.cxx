@@ -108,7 +108,7 @@ Refinement RefineSolid(const RefinementParameters& parameters, bool quadratic, S
   Refinement refinement = RefineGrid(solid.Grid, surfaces.Boundary, parameters, quadratic, monitor);
   solid.Grid = refinement.Grid;
   surfaces.Boundary = refinement.Boundary;
-  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  if (refinement.Treatment == SurfaceTreatment::Remeshed)
   {
     refinement.Masses.resize(solid.Masses.size()); // the last regions may have no cell
     solid.Masses = refinement.Masses;
@@ -211,6 +211,10 @@ Tetrahedra MakeTetrahedra(const KeptHull& kept, const std::vector<Seed>& seeds, 
   statistics.emplace_back("BoundaryFaces", surfaces.Boundary->GetNumberOfCells());
   Append(surfaces.Counts, statistics);
   Append(refinement.Statistics, statistics);
+  if (!options.Refinement.CouldBeTreated)
+  {
+    statistics.emplace_back("KeptByOptions", 1);
+  }
   statistics.emplace_back("PeakMemory", PeakMemory());
   Tetrahedra made{ solid.Grid, surfaces.Boundary, surfaces.Outliers, nullptr, {} };
   const auto finish = [&](const std::vector<MassProperties>& masses, vtkUnstructuredGrid* grid)

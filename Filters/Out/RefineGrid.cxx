@@ -411,9 +411,8 @@ void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameter
     warnings.push_back(words.str());
   }
 }
-} // namespace
-
-Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
+/** RefineGrid by the treatment given. */
+Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const RefinementParameters& given, bool quadratic, Monitor& monitor)
 {
   Stopwatch stopwatch;
@@ -463,11 +462,44 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
     result.Statistics, "Before");
   AppendQuality(QualityOfMesh(refined.Points, refined.Cells, monitor, end), result.Statistics);
   const GridTetrahedra made = ReadTetrahedraOfAnyOrder(result.Grid);
-  AppendFitness(FitnessForSolver(made.Points, made.Cells, made.Midpoints, {}, {}, monitor, end),
-    result.Statistics);
+  std::vector<Id> regionsNow;
+  for (std::size_t c = 0; c < refined.OriginalCells.size() && !regions.empty(); ++c)
+  {
+    regionsNow.push_back(regions[refined.OriginalCells[c]]);
+  }
+  result.Treatment = parameters.Surface;
+  result.Fitness =
+    FitnessForSolver(made.Points, made.Cells, made.Midpoints, {}, regionsNow, monitor, end);
+  AppendFitness(result.Fitness, result.Statistics);
   result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
   WarnAbout(refined, parameters, result.Warnings);
   result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());
   return result;
+}
+
+} // namespace
+
+Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
+  const RefinementParameters& given, bool quadratic, Monitor& monitor)
+{
+  const Refinement kept = RefineAsGiven(grid, boundary, given, quadratic, monitor);
+  if (!given.TreatsNeedles || kept.Fitness.RefusedOnNeedles == 0)
+  {
+    return kept;
+  }
+  RefinementParameters other = given;
+  other.Surface = SurfaceTreatment::Remeshed; // split needles are needles still
+  Refinement remeshed = RefineAsGiven(grid, boundary, other, quadratic, monitor);
+  if (remeshed.Fitness.RefusedOnNeedles >= kept.Fitness.RefusedOnNeedles ||
+    remeshed.Fitness.RefusedCells >= kept.Fitness.RefusedCells)
+  {
+    return kept;
+  }
+  remeshed.Warnings.push_back("a solver would refuse " + std::to_string(kept.Fitness.RefusedCells) +
+    " of " + std::to_string(kept.Fitness.Cells) + " cells where the surface is kept, " +
+    std::to_string(kept.Fitness.RefusedOnNeedles) +
+    " of them on its needles: it is remeshed, which leaves " +
+    std::to_string(remeshed.Fitness.RefusedCells) + "; set SurfaceTreatment to Kept to leave it");
+  return remeshed;
 }
 } // namespace vtkInsideOut

@@ -6,6 +6,7 @@
 #include "Common/Statistics.h"
 #include "Data/VtkClasses.h"
 #include "Output/MassProperties.h"
+#include "Quality/SolverFitness.h"
 #include "Refine/RefineTetrahedra.h"
 
 #include <vtkSmartPointer.h>
@@ -22,6 +23,8 @@ struct Refinement
   vtkSmartPointer<vtkPolyData> Boundary;         ///< if one is given
   std::vector<insideout::MassProperties> Masses; ///< of the regions, if the surface is remeshed
   insideout::MassProperties Mass;                ///< of all, there
+  insideout::SurfaceTreatment Treatment;         ///< the one taken
+  insideout::SolverFitness Fitness;
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
 };

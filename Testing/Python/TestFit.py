@@ -238,6 +238,26 @@ class Unfit(CommandLine):
         with self.assertWarnsRegex(insideout.Warning, r"refuses (\d+) of \1 cells.*: they would pass in a smaller unit \(by scale\)"):
             insideout.write(small, self.path("small.msh"))
 
+    def test_a_surface_whose_needle_a_solver_would_refuse_is_remeshed_and_told(self):
+        # A box from -1 to 1 with a needle amid its upper side.
+        points = [*itertools.product((-1, 1), repeat=3), (-0.5, 0, 1), (0.5, 0, 1), (0, 1e-20, 1)]
+        around = [(1, 5, 8), (5, 9, 8), (5, 7, 9), (7, 10, 9), (7, 3, 10), (3, 8, 10), (3, 1, 8), (8, 9, 10)]
+        sides = [(0, 2, 6, 4), (0, 4, 5, 1), (4, 6, 7, 5), (6, 2, 3, 7), (2, 0, 1, 3)]
+        needle = surfaces.polydata(points, [*around, *sides])
+        kept = insideout.tetrahedralize(needle, refine=True, surface_treatment="kept")
+        self.assertGreater(kept.statistics["RefusedCells"], 0)
+        made = insideout.tetrahedralize(needle, refine=True)
+        self.assertEqual(made.statistics["RefusedCells"], 0)
+        self.assertAlmostEqual(made.volume, 8, 9)
+        told = r"a solver would refuse 1 of \d+ cells where the surface is kept, 1 of them on its needles: it is remeshed, which leaves 0"
+        self.assertRegex(" ".join(made.warnings), told + "; set surface_treatment to kept")
+        # Options that take a kept surface have it, and no advice of other treatments.
+        fixed = insideout.tetrahedralize(needle, refine=True, merge_coplanar_pieces=True)
+        self.assertGreater(fixed.statistics["RefusedCells"], 0)
+        advice = " ".join(insideout.check_solid(fixed.solid).warnings)
+        self.assertIn("which other options keep", advice)
+        self.assertNotIn("remeshed", advice)
+
     def test_needles_of_the_surface_are_told_and_gone_after_the_advice(self):
         needles = surfaces.joined(surfaces.box(), surfaces.box((0, 0, 1 - 1e-4)))
         surface = self.file("needles.ply", needles)

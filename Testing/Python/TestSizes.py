@@ -144,6 +144,14 @@ class Command(unittest.TestCase):
             self.assertRegex(found["parameters"]["size_rules"], r"^tag lid=0\.173.*;gap=2$")
             self.assertGreater(found["statistics"]["RefinedCells"], 300)
 
+    def test_errors_name_options_as_they_are_given(self):
+        with tempfile.TemporaryDirectory() as folder:
+            surface = os.path.join(folder, "box.ply")
+            insideout.write(told(surfaces.box())[0].boundary, surface)
+            command = [sys.executable, "-m", "insideout", "mesh", surface, os.path.join(folder, "solid.vtu"), "--edge-length", "0.008"]
+            refused = subprocess.run(command, capture_output=True, text=True, check=False)
+            self.assertRegex(refused.stderr, "more than --maximum-cells, 10000000")
+
 
 if __name__ == "__main__":
     unittest.main()

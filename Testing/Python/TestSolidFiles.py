@@ -354,6 +354,27 @@ class Meshio(InAFolder):
                 named = {name: number.tolist() for name, number in faces.field_data.items()}
                 self.assertEqual(named, {name: [tag, 2] for tag, name in enumerate(boundary.tag_names)})
 
+    def test_the_boundary_beside_an_xdmf_replaces_no_file_of_others(self):
+        beside = self.path("solid_boundary.xdmf")
+        with open(beside, "w", encoding="utf-8") as file:
+            file.write("mine")
+        refusal = r"solid_boundary\.xdmf, beside .*solid\.xdmf, is where the boundary goes, and bears no mark of insideout"
+        with self.assertRaisesRegex(insideout.Error, refusal):
+            insideout.write(self.result.solid, self.path("solid.xdmf"), boundary=self.result.boundary)
+        with self.assertRaisesRegex(insideout.Error, refusal):
+            insideout.tetrahedralize(self.result.boundary, output=self.path("solid.xdmf"))
+        self.assertEqual(os.listdir(self.folder), ["solid_boundary.xdmf"])
+        insideout.write(self.result.boundary, self.path("boundary.ply"))
+        command = [sys.executable, "-m", "insideout", "mesh", self.path("boundary.ply"), self.path("solid.xdmf"), "--no-refine"]
+        refused = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertRegex(refused.stderr, refusal)
+        with open(beside, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "mine")
+        subprocess.run([*command, "--force"], capture_output=True, check=True)
+        subprocess.run(command, capture_output=True, check=True)  # now it is of this program
+        with open(beside, encoding="utf-8") as file:
+            self.assertIn("Written by InsideOut", file.read())
+
     def test_xdmf_refuses_triangles_that_are_no_faces(self):
         box = surfaces.box()
         with self.assertRaisesRegex(insideout.Error, "solid.xdmf: .* of the boundary is no "):

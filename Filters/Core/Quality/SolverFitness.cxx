@@ -241,7 +241,7 @@ std::string SomeOf(Id count, Id all)
 }
 
 /** Advice; empty where it has all been followed. */
-std::string AdviceFor(const SolverFitness& fitness, CellTreatment done)
+std::string AdviceFor(const SolverFitness& fitness, CellTreatment done, bool mayRemesh)
 {
   std::string advice;
   const auto add = [&advice](const std::string& words)
@@ -260,16 +260,23 @@ std::string AdviceFor(const SolverFitness& fitness, CellTreatment done)
   {
     add("refining makes better ones (Refine)");
   }
-  if (fitness.CellsOnNeedles > 0 && done != CellTreatment::Remeshed)
+  const bool isOnNeedles = fitness.CellsOnNeedles > 0;
+  if (isOnNeedles && !mayRemesh)
+  {
+    add(SomeOf(fitness.CellsOnNeedles, all) +
+      " lie on needles of the surface, which other options keep: MergeTolerance joins points that "
+      "nearly meet");
+  }
+  else if (isOnNeedles && done != CellTreatment::Remeshed)
   {
     add(SomeOf(fitness.CellsOnNeedles, all) +
       " lie on needles of the surface, which SurfaceTreatment remeshed replaces");
   }
-  else if (done == CellTreatment::Refined)
+  else if (done == CellTreatment::Refined && mayRemesh)
   {
     add("SurfaceTreatment remeshed replaces triangles that force such cells");
   }
-  else if (done == CellTreatment::Remeshed && fitness.TooSmallCells == 0)
+  else if (done != CellTreatment::None && fitness.TooSmallCells == 0)
   {
     add("MergeTolerance joins points that nearly meet");
   }
@@ -309,14 +316,17 @@ SolverFitness FitnessForSolver(const std::vector<Point>& points,
     const NeedleFinder needles(points, cells, regions);
     for (std::size_t c = 0; c < cells.size(); ++c)
     {
-      const bool counts = found[c] == Fitness::Refused || found[c] == Fitness::Poor;
-      fitness.CellsOnNeedles += counts && needles.HasNeedle(static_cast<Id>(c)) ? 1 : 0;
+      if (found[c] != Fitness::Good && needles.HasNeedle(static_cast<Id>(c)))
+      {
+        fitness.CellsOnNeedles += found[c] != Fitness::TooSmall ? 1 : 0;
+        fitness.RefusedOnNeedles += found[c] != Fitness::Poor ? 1 : 0;
+      }
     }
   }
   return fitness;
 }
 
-std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done)
+std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done, bool mayRemesh)
 {
   if (fitness.IsGood())
   {
@@ -332,7 +342,7 @@ std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done)
       ? ", and suffers from " + std::to_string(fitness.PoorCells) + " more" + poor
       : "";
   }
-  return words + ": " + AdviceFor(fitness, done);
+  return words + ": " + AdviceFor(fitness, done, mayRemesh);
 }
 
 void AppendFitness(const SolverFitness& fitness, Statistics& statistics, const std::string& prefix)

@@ -31,6 +31,9 @@ struct SolverFitness
    * no other cells on that face are much better. */
   Id CellsOnNeedles = 0;
 
+  /** Refused cells with such a face, whatever a solver refuses them for. */
+  Id RefusedOnNeedles = 0;
+
   bool IsGood() const { return this->RefusedCells == 0 && this->PoorCells == 0; }
 };
 
@@ -57,9 +60,13 @@ SolverFitness FitnessForSolver(const std::vector<Point>& points,
   const LayerCells& layers, const std::vector<Id>& regions, Monitor& monitor,
   const ProgressRange& progress);
 
-/** The numbers of cells that a solver refuses or suffers from, and the name of the option that
- * helps; empty if there are none. */
-std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done);
+/**
+ * The numbers of cells that a solver refuses or suffers from, and the name of the option that
+ * helps; empty if there are none.
+ *
+ * @param[in] mayRemesh whether other options allow SurfaceTreatment to remesh the surface
+ */
+std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done, bool mayRemesh = true);
 
 /** RefusedCells and PoorCells under their names, with a word in front ("Before"). */
 void AppendFitness(

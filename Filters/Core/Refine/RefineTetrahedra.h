@@ -19,6 +19,10 @@ struct RefinementParameters
   /** Kept: whether another treatment could be chosen, and is advised. */
   bool CouldBeTreated = true;
 
+  /** Kept: whether the caller takes another treatment where needles leave cells that a solver
+   * refuses. */
+  bool TreatsNeedles = false;
+
   /** Limit of the estimated number of cells: beyond it nothing is refined; 0: no limit. */
   Id MaximumCells = 10000000;
 

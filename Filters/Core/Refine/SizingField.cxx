@@ -30,11 +30,11 @@ constexpr double LeastShare = 1.0 / 4;
 constexpr double MostHeights = 2;
 
 /**
- * Cells are halved for the estimate until they are no longer than this, in lengths there; parts
- * are at least a millionth of the cell: a limit of work.
+ * Cells are halved for the estimate until they are no longer than this, in lengths there; into this
+ * number of parts at most, a limit of work.
  */
 constexpr double LongestPart = 4;
-constexpr int MostHalvings = 20;
+constexpr double MostParts = 1 << 20;
 
 double VolumeOf(const std::array<Point, 4>& c)
 {
@@ -263,11 +263,14 @@ void SizingField::Append(Id cell, const Point& place)
 double SizingField::EstimatedCells() const
 {
   double cells = 0;
+  const int halvings =
+    std::max(0, std::ilogb(MostParts / std::max<Id>(this->Mesh.NumberOfCells(), 1)));
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
   {
     if (!this->Mesh.IsDead(c))
     {
-      cells += 1 + this->CellsIn(c, CornersOf(this->Mesh.Points, this->Mesh.Cell(c).Corners), 0);
+      const auto corners = CornersOf(this->Mesh.Points, this->Mesh.Cell(c).Corners);
+      cells += 1 + this->CellsIn(c, corners, halvings);
     }
   }
   return cells;
@@ -279,7 +282,7 @@ double SizingField::CellsIn(Id cell, const std::array<Point, 4>& corners, int ha
   // Lengths grow from the corners, so that small ones act only near these.
   const Point middle = Midpoint(Midpoint(corners[0], corners[1]), Midpoint(corners[2], corners[3]));
   const double size = this->At(cell, middle);
-  if (this->Parameters.LengthAt && halvings < MostHalvings)
+  if (this->Parameters.LengthAt && halvings > 0)
   {
     std::array<int, 2> longest = { { 0, 1 } };
     for (const auto& [i, j] : TetrahedronEdges)
@@ -295,7 +298,7 @@ double SizingField::CellsIn(Id cell, const std::array<Point, 4>& corners, int ha
       {
         std::array<Point, 4> half = corners;
         half[end] = Midpoint(corners[longest[0]], corners[longest[1]]);
-        sum += this->CellsIn(cell, half, halvings + 1);
+        sum += this->CellsIn(cell, half, halvings - 1);
       }
       return sum;
     }

@@ -77,7 +77,7 @@ class SolidCheck(MeshResult):
         return {"quality": self.solid}
 
 
-_TREATMENTS = ("RefinedCells", "SurfaceDistance")
+_TREATMENTS = ("RefinedCells", "SurfaceDistance", "KeptByOptions")
 """Statistics that show which advice was already followed."""
 
 

@@ -169,6 +169,9 @@ TEST(SolverFitness, TellsWhereNeedlesHaveToStay)
   EXPECT_NE(words.find(": they lie on needles of the surface"), std::string::npos) << words;
   EXPECT_NE(words.find("SurfaceTreatment remeshed"), std::string::npos) << words;
   EXPECT_EQ(words.find("Refine"), std::string::npos) << words;
+  const std::string kept = WordsOfFitness(one, CellTreatment::Refined, false);
+  EXPECT_EQ(kept.find("remeshed"), std::string::npos) << kept;
+  EXPECT_NE(kept.find("which other options keep: MergeTolerance"), std::string::npos) << kept;
 }
 
 TEST(SolverFitness, AdvisesNothingTwice)
@@ -184,6 +187,9 @@ TEST(SolverFitness, AdvisesNothingTwice)
     "(Refine)");
   EXPECT_NE(words(CellTreatment::Refined).find("SurfaceTreatment remeshed"), std::string::npos);
   EXPECT_NE(words(CellTreatment::Remeshed).find("MergeTolerance"), std::string::npos);
+  const std::string kept = WordsOfFitness(fitness, CellTreatment::Refined, false);
+  EXPECT_EQ(kept.find("SurfaceTreatment"), std::string::npos);
+  EXPECT_NE(kept.find("MergeTolerance"), std::string::npos);
   fitness.RefusedCells = 0;
   EXPECT_EQ(words(CellTreatment::None).rfind("a solver suffers from 3 of 10 cells", 0), 0u);
 }
