@@ -239,7 +239,7 @@ class Unfit(CommandLine):
             insideout.write(small, self.path("small.msh"))
 
     def test_a_surface_whose_needle_a_solver_would_refuse_is_remeshed_and_told(self):
-        # A box from -1 to 1 with a needle amid its upper side.
+        # A box from -1 to 1 with a needle within its upper side.
         points = [*itertools.product((-1, 1), repeat=3), (-0.5, 0, 1), (0.5, 0, 1), (0, 1e-20, 1)]
         around = [(1, 5, 8), (5, 9, 8), (5, 7, 9), (7, 10, 9), (7, 3, 10), (3, 8, 10), (3, 1, 8), (8, 9, 10)]
         sides = [(0, 2, 6, 4), (0, 4, 5, 1), (4, 6, 7, 5), (6, 2, 3, 7), (2, 0, 1, 3)]

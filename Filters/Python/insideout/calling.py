@@ -31,18 +31,13 @@ def for_users(function: Function) -> Function:
     def called(*given: Any, **named: Any) -> Any:
         _check_arguments(function.__name__, signature, given, named)
         outer = _heard.get()
-        if outer is not None:
-            result = function(*given, **named)
-            outer.extend(getattr(result, "warnings", ()))
-            return result
-        try:
+        with _naming_options():
+            if outer is not None:
+                result = function(*given, **named)
+                outer.extend(getattr(result, "warnings", ()))
+                return result
             with _listening() as heard:
                 result = function(*given, **named)
-        except Error as error:
-            words = error_in_words_of_python(str(error))
-            if words == str(error):
-                raise
-            raise type(error)(words) from error.__cause__
         for text in dict.fromkeys([*heard, *getattr(result, "warnings", ())]):
             warnings.warn(text, Warning, stacklevel=2)
         return result
@@ -55,6 +50,18 @@ def tell(texts: Iterable[str]) -> None:
     heard = _heard.get()
     if heard is not None:
         heard.extend(texts)
+
+
+@contextmanager
+def _naming_options() -> Iterator[None]:
+    """Errors that name properties of a class name Python's options."""
+    try:
+        yield
+    except Error as error:
+        words = error_in_words_of_python(str(error))
+        if words == str(error):
+            raise
+        raise type(error)(words) from error.__cause__
 
 
 @contextmanager
