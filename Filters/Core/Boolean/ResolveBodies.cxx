@@ -92,6 +92,9 @@ struct BodyTurns
  * share. */
 constexpr double MostUneven = 1.25;
 
+/** Threads that counting or orienting one body keeps busy: nearly half of these is one thread's. */
+constexpr int ThreadsOfABody = 2;
+
 class BodyResolver
 {
 public:
@@ -112,7 +115,8 @@ public:
 
 private:
   void MergeGivenPoints();
-  void ForEachBody(const char* stage, const std::function<void(std::size_t, Monitor&)>& work);
+  void ForEachBody(
+    const char* stage, int threads, const std::function<void(std::size_t, Monitor&)>& work);
   CountedChain CountFacetsOf(
     const Body& body, const CountedChainParameters& parameters, Monitor& monitor) const;
   void CountFacetsOfBodies();
@@ -202,10 +206,13 @@ CountedChain AllDegenerateChain(const TriangleSoup& soup)
   return chain;
 }
 
-/** Works on each body. Several threads take a body each where that keeps all of them busy; else
- * each body has all threads, in turn. */
+/**
+ * Works on each body. Several threads take a body each where that keeps as many of them busy as one
+ * body does; else each body has all threads, in turn.
+ * @param[in] threads that one body keeps busy, of those that are allowed
+ */
 void BodyResolver::ForEachBody(
-  const char* stage, const std::function<void(std::size_t, Monitor&)>& work)
+  const char* stage, int threads, const std::function<void(std::size_t, Monitor&)>& work)
 {
   std::vector<double> sizes;
   double all = 0;
@@ -215,10 +222,10 @@ void BodyResolver::ForEachBody(
     all += sizes.back();
   }
   const double largest = *std::max_element(sizes.begin(), sizes.end());
-  const int threads = AllowedThreads();
-  const bool isEven = largest * threads <= MostUneven * all;
+  const int allowed = AllowedThreads();
+  const bool isEven = largest * std::min(threads, allowed) <= MostUneven * all;
   JobsAtOnce(
-    sizes, isEven ? threads : 1, stage,
+    sizes, isEven ? allowed : 1, stage,
     [&](std::size_t b, Monitor& own) { InTheNameOf(this->Given[b].Name, [&]() { work(b, own); }); },
     this->Watch);
 }
@@ -256,7 +263,7 @@ void BodyResolver::CountFacetsOfBodies()
     parameters.MergeTolerance = std::min(parameters.MergeTolerance, 0.0); // it has been seen to
   }
   std::vector<CountedChain> chains(this->Given.size());
-  this->ForEachBody(Stages::Validating,
+  this->ForEachBody(Stages::Validating, ThreadsOfABody,
     [&](std::size_t b, Monitor& monitor)
     { chains[b] = this->CountFacetsOf(this->Given[b], parameters, monitor); });
   bool isAnyThere = false;
@@ -287,7 +294,7 @@ void BodyResolver::CountFacetsOfBodies()
 /** Searches each body once: here, or once it is thickened. */
 void BodyResolver::FindOwnCrossings()
 {
-  this->ForEachBody(Stages::FindingIntersections,
+  this->ForEachBody(Stages::FindingIntersections, AllowedThreads(),
     [&](std::size_t b, Monitor& monitor)
     {
       const FacetComplex& chain = this->Chains[b];
@@ -369,7 +376,7 @@ BodyTurns BodyResolver::OrientBody(std::size_t b, Monitor& monitor)
 void BodyResolver::OrientBodies()
 {
   std::vector<BodyTurns> told(this->Given.size());
-  this->ForEachBody(Stages::Orienting,
+  this->ForEachBody(Stages::Orienting, ThreadsOfABody,
     [&](std::size_t b, Monitor& monitor)
     {
       if (!this->Chains[b].Facets.empty())
