@@ -314,10 +314,10 @@ class TestBodies(unittest.TestCase):
             ({"priority": ["left", "left"]}, "Priority names left twice"),
             ({"seeds": [((1, 1, 1), True)]}, "seed 0 is to be inside, but its point array Body does not say which body"),
             ({"seeds": [((1, 1, 1), True, "nose")]}, "seed 0 names nose, which is no body"),
-            ({"split_seams": True}, "SplitSeams takes one body"),
-            ({"separate_overlaps": True}, "SeparateOverlaps takes one body"),
-            ({"non_manifold": "split"}, "NonManifold of the kind Split takes one body"),
-            ({"separate_overlaps": True, "progress": self.fail_on_work}, "SeparateOverlaps takes one body"),
+            ({"split_seams": True}, "split_seams takes one body"),
+            ({"separate_overlaps": True}, "separate_overlaps takes one body"),
+            ({"non_manifold": "split"}, "non_manifold of the kind Split takes one body"),
+            ({"separate_overlaps": True, "progress": self.fail_on_work}, "separate_overlaps takes one body"),
             ({"body_array": "Organ"}, "body_array names an array of one surface"),
         ):
             with self.subTest(wrong), self.assertRaisesRegex(insideout.Error, words):

@@ -207,7 +207,7 @@ class SizesByRules(Option):
     """Rules of sizes; a background among them is a data set of its own for the filter (see sizing.py)."""
 
     def checked(self, name: str, value: Any) -> str:
-        return text_of_rules(name, value)
+        return text_of(name, text_of_rules(name, value))
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
         super().set_on(algorithm, name, value)
