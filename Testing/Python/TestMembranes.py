@@ -83,9 +83,9 @@ class TestMembranes(unittest.TestCase):
 
     def test_excluded_options_are_refused(self):
         for wrong, words in (
-            ({"split_seams": True}, "SplitSeams excludes MembranesSeparateRegions: it would part interfaces from their cells"),
-            ({"separate_overlaps": True}, "SeparateOverlaps excludes MembranesSeparateRegions"),
-            ({"body_array": "Horizon"}, "MembranesSeparateRegions takes one body, and BodyArrayName makes regions of several"),
+            ({"split_seams": True}, "split_seams excludes membranes_separate_regions: it would part interfaces from their cells"),
+            ({"separate_overlaps": True}, "separate_overlaps excludes membranes_separate_regions"),
+            ({"body_array": "Horizon"}, "membranes_separate_regions takes one body, and body_array makes regions of several"),
         ):
             with self.subTest(wrong), self.assertRaisesRegex(insideout.Error, words):
                 insideout.tetrahedralize(self.layers, membranes_separate_regions=True, **wrong)
