@@ -5,6 +5,7 @@
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 #include "GraphCut/ConnectCells.h"
+#include "Layers/LayerColumns.h"
 #include "Quality/QualityOfMesh.h"
 #include "Refine/RefineTetrahedra.h"
 #include "Support/AllowedThreads.h"
