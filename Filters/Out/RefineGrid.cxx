@@ -7,6 +7,7 @@
 #include "Common/Vectors.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
+#include "Data/FieldNames.h"
 #include "In/ReadGrid.h"
 #include "Out/MixInCells.h"
 #include "Out/NameSizes.h"
@@ -411,6 +412,7 @@ void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameter
     warnings.push_back(words.str());
   }
 }
+
 /** RefineGrid by the treatment given. */
 Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const RefinementParameters& given, bool quadratic, Monitor& monitor)
@@ -477,13 +479,20 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   return result;
 }
 
+/** Whether there are several tags or regions: their areas and volumes are to stay. */
+bool HasSeveralNames(vtkUnstructuredGrid* grid, vtkPolyData* boundary)
+{
+  const std::vector<Id> regions = ReadRegions(grid);
+  return (boundary && NamesByNumber(boundary->GetFieldData(), "BoundaryTagNames").size() > 1) ||
+    std::any_of(regions.begin(), regions.end(), [&](Id region) { return region != regions[0]; });
+}
 } // namespace
 
 Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const RefinementParameters& given, bool quadratic, Monitor& monitor)
 {
   const Refinement kept = RefineAsGiven(grid, boundary, given, quadratic, monitor);
-  if (!given.TreatsNeedles || kept.Fitness.RefusedOnNeedles == 0)
+  if (!given.TreatsNeedles || kept.Fitness.RefusedOnNeedles == 0 || HasSeveralNames(grid, boundary))
   {
     return kept;
   }

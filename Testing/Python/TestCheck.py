@@ -151,7 +151,7 @@ class CheckCommand(CommandLine):
         self.check_failure_of_check(run("--check", source, "--gamma", "0"), "it goes without --gamma")
         self.check_failure_of_check(run("--check", source, "--split-seams"), "it goes without --split-seams")
         self.check_failure_of_check(run("--check", source, "--time-budget", "1"), "it goes without --time-budget")
-        self.check_failure_of_check(run("--check", source, "--merge-tolerance", "-1"), "merge_tolerance is -1")
+        self.check_failure_of_check(run("--check", source, "--merge-tolerance", "-1"), "--merge-tolerance is -1")
         self.check_failure_of_check(run("--check", self.path("missing.ply")), "no such file")
         self.check_failure_of_check(run("--check", self.file("empty.off", "OFF\n0 0 0\n")), "empty")
 

@@ -83,7 +83,7 @@ class TheSameSolid(unittest.TestCase):
     def test_areas_and_volumes_by_name_stay(self):
         ball = surfaces.ball(0.7, 12, 8)
         cases = {
-            "tags": (surfaces.joined(surfaces.box(), surfaces.box((2, 0, 0))), {}),
+            "tags": (surfaces.joined(surfaces.box(), surfaces.box((0.9, 0.3, 0.2))), {}),
             "bodies": ({"ball": ball, "box": surfaces.box()}, {"priority": "ball"}),
             "combinations": ({"ball": ball, "box": surfaces.box()}, {"region_rule": "all"}),
         }
@@ -251,6 +251,10 @@ class Unfit(CommandLine):
         self.assertAlmostEqual(made.volume, 8, 9)
         told = r"a solver would refuse 1 of \d+ cells where the surface is kept, 1 of them on its needles: it is remeshed, which leaves 0"
         self.assertRegex(" ".join(made.warnings), told + "; set surface_treatment to kept")
+        # With several tags each keeps its area.
+        surfaces.add_array(needle.GetCellData(), "Side", np.arange(needle.GetNumberOfCells(), dtype=np.int64) // 8)
+        tagged = insideout.tetrahedralize(needle, refine=True, tag_array="Side")
+        self.assertGreater(tagged.statistics["RefusedCells"], 0)
         # Options that take a kept surface have it, and no advice of other treatments.
         fixed = insideout.tetrahedralize(needle, refine=True, merge_coplanar_pieces=True)
         self.assertGreater(fixed.statistics["RefusedCells"], 0)
@@ -259,7 +263,7 @@ class Unfit(CommandLine):
         self.assertNotIn("remeshed", advice)
 
     def test_needles_of_the_surface_are_told_and_gone_after_the_advice(self):
-        needles = surfaces.joined(surfaces.box(), surfaces.box((0, 0, 1 - 1e-4)))
+        needles = surfaces.joined(surfaces.box(), surfaces.box((0.1, 0, 1 - 1e-4)))
         surface = self.file("needles.ply", needles)
         done = run_here("mesh", surface, self.path("solid.msh"))
         self.assertEqual(done.returncode, 0, done.stderr)

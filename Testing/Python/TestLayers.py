@@ -108,7 +108,7 @@ class Layers(CommandLine):
     def test_wrong_options_are_named(self):
         for options, words in (
             ({"layers": 3}, "first_height is not"),
-            ({**LAYERS, "first_height": 0.0}, "FirstHeight is 0"),
+            ({**LAYERS, "first_height": 0.0}, "first_height is 0"),
             ({**LAYERS, "first_height": -1.0}, "first_height is -1"),
             ({**LAYERS, "layers": 0}, "layers is 0"),
             ({**LAYERS, "layer_tags": "wall,Door"}, "Door, which is no tag of the boundary; its tags are inlet, outlet, wall"),

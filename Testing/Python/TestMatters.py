@@ -26,6 +26,7 @@ class Refused(CommandLine):
             (("mesh", "a.ply", stl, "--quadratic"), "--quadratic-cells", "first order"),
             *((("mesh", "a.ply", stl, *given), given[0], "has no layers") for given in LAYERS),
             *((("mesh", "a.ply", vtu, "--no-refine", *given), given[0], "layers take refined cells") for given in LAYERS),
+            (("mesh", "a.ply", inp, "--no-refine", "--size", "curvature=24"), "--size-rules", "leaves the cells as they are"),
             (("repair", "a.ply", stl, "--refine"), "--refine", "without --edge-length"),
             (("repair", "a.ply", stl, "--no-refine"), "--no-refine", "without --edge-length"),
             (("mesh", "a.ply", vtu, "--no-refine", "--surface-treatment", "split"), "--surface-treatment", "--no-refine leaves the cells"),

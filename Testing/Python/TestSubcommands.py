@@ -324,7 +324,7 @@ class Winding(CommandLine):
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.path("w.csv"), encoding="utf-8") as file:
             self.assertEqual(file.read().splitlines(), ["x,y,z,w,inside,distance", "0.5,0.5,0.25,1.0,1,-0.25", "3,0.5,0.5,0.0,0,2.0"])
-        self.check_failure(run("--distance", box, self.path("solid.vtu")), "it goes with --winding")
+        self.check_failure(run("--distance", box, self.path("solid.vtu")), "--distance goes with --winding")
 
     def test_bad_queries(self):
         box = self.file("box.ply", surfaces.box())

@@ -22,7 +22,7 @@ GROUPS = {
     "boundary": "BoundaryFaces|Seam|Tags",
     "shape of the solid": "Solid(Components|Tunnels|Cavities|EulerCharacteristic)|Boundary|Genus",
     "outliers": "Outlier|LostShare",
-    "refinement": "Added|Removed|Refined|Surface(Points|Tolerance|Distance)|InputDistance|KeptFacets",
+    "refinement": "Added|Removed|Refined|Surface(Points|Tolerance|Distance)|InputDistance|Kept(Facets|ByOptions)",
     "quality before": "Before",
     "quality": "M(in|ax|inimum|aximum|ean|edian).*|Average|Dihedral|Angle|RadiusEdge|CellsUnder|SurfaceEdgesUnder|Refused|Poor",
     "time and memory": "Seconds|PeakMemory",
