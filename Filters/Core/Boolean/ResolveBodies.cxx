@@ -216,12 +216,13 @@ void BodyResolver::ForEachBody(
 {
   std::vector<double> sizes;
   double all = 0;
+  double largest = 0;
   for (const Body& body : this->Given)
   {
     sizes.push_back(static_cast<double>(body.Soup.Triangles.size()));
     all += sizes.back();
+    largest = std::max(largest, sizes.back());
   }
-  const double largest = *std::max_element(sizes.begin(), sizes.end());
   const int allowed = AllowedThreads();
   const bool isEven = largest * std::min(threads, allowed) <= MostUneven * all;
   JobsAtOnce(

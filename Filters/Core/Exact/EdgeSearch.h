@@ -3,7 +3,9 @@
 
 #include "Mesh/Mesh.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -92,7 +94,11 @@ Id EdgeSearch::Find(const Mesh<Policy>& mesh, Id u, Id v)
       return cells[side];
     }
   }
-  ++this->Epoch;
+  if (++this->Epoch == 0) // after 2^32 searches
+  {
+    this->Slots.assign(this->Slots.size(), { 0, 0 });
+    this->Epoch = 1;
+  }
   for (int side = 0; side < 2; ++side)
   {
     this->Stars[side].clear();
