@@ -22,13 +22,15 @@ if find . -name 'insideout-tetgen*' | grep .; then
   exit 1
 fi
 bin/insideout "$surface" solid.vtu
-PYTHONPATH="$PYTHONPATH:$source/Filters/Python" exec bin/python - "$surface" <<'END'
+exec bin/python - "$surface" "$source/Filters/Python" <<'END'
 import sys
 from importlib.metadata import entry_points, version
 
 import insideout
-import wheel_by_cmake
 from vtkmodules.vtkCommonCore import vtkVersion
+
+sys.path.append(sys.argv[2])  # behind the wheel's insideout
+import wheel_by_cmake
 
 assert insideout.__file__.startswith(sys.prefix), insideout.__file__
 result = insideout.tetrahedralize(sys.argv[1])
