@@ -17,7 +17,6 @@ import argparse
 import csv
 import importlib
 import os
-import re
 import resource
 import statistics
 import subprocess
@@ -113,12 +112,12 @@ def lines_of(rows: list[dict[str, str]]) -> Iterator[str]:
         yield f"ratio ftetwild/seconds {seconds[0] / seconds[1]:.4f} at most {MOST_SHARE:g}"
     pairs = [(of["ours"][name], of["fTetWild"][name]) for name in both]
     pairs = [(ours, theirs) for ours, theirs in pairs if ours["cells"] and theirs["cells"]]
-    for column, bound in (("1 %", "at least 1.0"), ("cells", "at most 1.0")):
+    for column, line, bound in (("1 %", "quality", "at least 1.0"), ("cells", "cells", "at most 1.0")):
         ratios = [float(ours[column]) / float(theirs[column]) for ours, theirs in pairs if float(theirs[column])]
         if ratios:
-            good = sum(ratio >= 1 if column == "1 %" else ratio <= 1 for ratio in ratios)
+            good = sum(ratio >= 1 if bound.startswith("at least") else ratio <= 1 for ratio in ratios)
             yield f"{column}: ours as good or better on {good} of {len(ratios)}"
-            yield f"ratio ftetwild/{re.sub('[^a-z0-9]', '', column)} {statistics.median(ratios):.3f} {bound}"
+            yield f"ratio ftetwild/{line} {statistics.median(ratios):.3f} {bound}"
 
 
 def main(options: argparse.Namespace) -> None:

@@ -95,6 +95,7 @@ std::vector<Point> PlacesBeside(
   }
   return places;
 }
+
 /** Places all along the way between two vertices, each a little aside, too. */
 std::vector<Point> PlacesBetween(const FlippableMesh& mesh, Id u, Id v)
 {

@@ -18,8 +18,9 @@ namespace
 /** Facets whose planes include at most an angle of this cosine face each other: 45 degrees. */
 const double LeastCosineFacing = std::sqrt(0.5);
 
-/** A facet is halved at most this often, into a million parts: a limit of work on thin sheets. */
-constexpr int MostHalvings = 20;
+/** Facets together are halved into this number of parts at most: a limit of work and memory on thin
+ * sheets. Larger parts measure the thickness at fewer places. */
+constexpr double MostParts = 1 << 17;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
@@ -34,8 +35,9 @@ Point UnitNormalOf(const std::array<Point, 3>& t)
 class WallFinder
 {
 public:
-  explicit WallFinder(const RefinableMesh& mesh)
+  WallFinder(const RefinableMesh& mesh, Id facets)
     : Mesh(mesh)
+    , MostHalvings(std::max(0, std::ilogb(MostParts / std::max<Id>(facets, 1))))
   {
   }
 
@@ -67,7 +69,7 @@ private:
     const Point& a = t[longest];
     const Point& b = t[(longest + 1) % 3];
     const Point& c = t[(longest + 2) % 3];
-    if (thickness < Distance(a, b) && halvings < MostHalvings)
+    if (thickness < Distance(a, b) && halvings < this->MostHalvings)
     {
       const Point middle = Midpoint(a, b);
       this->AddPart({ { a, middle, c } }, halvings + 1);
@@ -112,11 +114,13 @@ private:
   }
 
   const RefinableMesh& Mesh;
+  const int MostHalvings; ///< of each facet
   Id Cell = None;
   int Face = 0;
   Triangle Corners = { { None, None, None } };
   Point Inward = { { 0, 0, 0 } };
 };
+
 /** Only the thinnest of the small parts of like thickness in each cube of a quarter of that. */
 std::vector<WallPart> WithoutCrowds(const std::vector<WallPart>& walls)
 {
@@ -149,7 +153,13 @@ std::vector<WallPart> WithoutCrowds(const std::vector<WallPart>& walls)
 std::vector<WallPart> WallsOf(
   const RefinableMesh& mesh, Monitor& monitor, const ProgressRange& progress)
 {
-  WallFinder finder(mesh);
+  Id facets = 0; // from both sides
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    const auto& own = mesh.Cell(c).Facets;
+    facets += static_cast<Id>(4 - std::count(own.begin(), own.end(), None));
+  }
+  WallFinder finder(mesh, facets);
   const LoopProgress looked(monitor, progress, static_cast<std::size_t>(mesh.NumberOfCells()));
   for (Id c = 0; c < mesh.NumberOfCells(); ++c)
   {

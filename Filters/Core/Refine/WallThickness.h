@@ -18,10 +18,10 @@ struct WallPart
 };
 
 /**
- * The walls of a solid and of its regions: for parts of each facet, no larger than the wall is
- * thick, the way straight to a facet that faces it; of many small parts that are near each other
- * the thinnest. Facets that share a point, as at the tip of a
- * wedge, make no wall.
+ * The walls of a solid and of its regions: for parts of each facet the way straight to a facet that
+ * faces it. Parts are no larger than the wall is thick, up to some hundred thousand parts in all;
+ * many small ones near each other are replaced by the thinnest. Facets that share a point, as at
+ * the tip of a wedge, make no wall.
  *
  * @throws Error Stopped
  */

@@ -115,6 +115,7 @@ private:
   std::size_t Size; ///< cells along each axis
   const double PerLength;
 };
+
 /** Add a set to those of a cell: the same for any order. */
 void AddTo(Id& setIn, Id set)
 {

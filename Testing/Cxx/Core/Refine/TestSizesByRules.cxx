@@ -277,6 +277,18 @@ TEST(WallThickness, IsTheWayToTheOtherSide)
   EXPECT_GE(across, 2 * 100); // parts no larger than the slab is thick, on both sides
 }
 
+TEST(WallThickness, SplitsFacetsOfThinSheetsIntoALimitedNumberOfParts)
+{
+  const TetrahedralMesh sheet = BoxOf({ { 10, 10, 1e-9 } }, 10);
+  Monitor monitor;
+  const std::vector<WallPart> walls =
+    WallsOf(MakeRefinable(sheet, {}, FacetsOf(sheet, {}, {})), monitor, { "", 0, 0 });
+  EXPECT_LE(walls.size(), 200000u);
+  const auto isThin = [](const WallPart& wall)
+  { return std::abs(wall.Thickness / 1e-9 - 1) < 1e-6; };
+  EXPECT_GE(std::count_if(walls.begin(), walls.end(), isThin), 400);
+}
+
 TEST(SizesByRules, CurvatureGivesEdgesPerTurn)
 {
   RefinementParameters parameters;
