@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Out/MixInCells.h"
 
+#include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
@@ -13,14 +14,16 @@ using namespace insideout;
 namespace
 {
 /** The weights of a cell's corners at a place in it, all at least 0, however thin the cell. */
-std::array<double, 4> WeightsAt(
-  const std::vector<Point>& points, const Tetrahedron& cell, const Point& place)
+std::array<double, 4> WeightsAt(const std::vector<Point>& points, const Tetrahedron& cell,
+  const Point& place, const PowerOfTwo& scale)
 {
   std::array<double, 4> weights;
   for (int k = 0; k < 4; ++k)
   {
     std::array<Point, 4> corners = CornersOf(points, cell);
     corners[k] = place;
+    std::transform(corners.begin(), corners.end(), corners.begin(),
+      [&scale](const Point& corner) { return scale.Times(corner); });
     weights[k] = std::max(0.0,
       Determinant(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]),
         Difference(corners[3], corners[0])));
@@ -37,6 +40,7 @@ std::array<double, 4> WeightsAt(
 std::vector<Attributes::Mixture> MixInCells(const TetrahedralMesh& mesh,
   const std::vector<Point>& points, const std::vector<Id>& originals, const std::vector<Id>& cells)
 {
+  const PowerOfTwo scale(-LargestExponent(mesh.Points));
   std::vector<Attributes::Mixture> mixtures(points.size());
   for (std::size_t p = 0; p < mixtures.size(); ++p)
   {
@@ -44,7 +48,7 @@ std::vector<Attributes::Mixture> MixInCells(const TetrahedralMesh& mesh,
     const Tetrahedron& cell = mesh.Cells[cells[p]];
     mixtures[p].IsNew = original == None;
     mixtures[p].Points = original == None ? cell : Tetrahedron{ { original, 0, 0, 0 } };
-    mixtures[p].Weights = original == None ? WeightsAt(mesh.Points, cell, points[p])
+    mixtures[p].Weights = original == None ? WeightsAt(mesh.Points, cell, points[p], scale)
                                            : std::array<double, 4>{ { 1, 0, 0, 0 } };
   }
   return mixtures;

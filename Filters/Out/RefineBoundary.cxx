@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Out/RefineBoundary.h"
 
+#include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
@@ -61,22 +62,24 @@ std::array<Id, 3> CornersOfCell(vtkPolyData* surface, vtkIdType cell)
     static_cast<Id>(corners->GetId(2)) } };
 }
 
-/** Interpolates point data of a surface's triangles at places on it or near it. */
+/** Interpolates point data of a surface's triangles at places on it or near it, all scaled. */
 class SurfaceMixer
 {
 public:
-  explicit SurfaceMixer(vtkPolyData* surface)
+  SurfaceMixer(vtkPolyData* surface, const PowerOfTwo& scale)
     : Surface(surface)
-    , Tree(TrianglesOf(surface))
+    , Scale(scale)
+    , Tree(this->Triangles())
   {
   }
 
   /** @param[in] hint a triangle near the place */
-  Attributes::Mixture At(const Point& place, Id hint) const
+  Attributes::Mixture At(const Point& given, Id hint) const
   {
+    const Point place = this->Scale.Times(given);
     const Id triangle = this->Tree.NearestTo(place, 0, hint).Triangle;
     const Triangle ids = CornersOfCell(this->Surface, triangle);
-    const std::array<Point, 3> corners = PlacesOf(this->Surface, triangle);
+    const std::array<Point, 3> corners = this->PlacesOf(triangle);
     const auto at = std::find(corners.begin(), corners.end(), place) - corners.begin();
     return at < 3
       ? Attributes::Mixture{ { { ids[at], 0, 0, 0 } }, { { 1, 0, 0, 0 } }, false }
@@ -84,28 +87,30 @@ public:
   }
 
 private:
-  static std::array<Point, 3> PlacesOf(vtkPolyData* surface, Id triangle)
+  std::array<Point, 3> PlacesOf(Id triangle) const
   {
     std::array<Point, 3> places;
-    const Triangle ids = CornersOfCell(surface, triangle);
+    const Triangle ids = CornersOfCell(this->Surface, triangle);
     for (int i = 0; i < 3; ++i)
     {
-      surface->GetPoint(ids[i], places[i].data());
+      this->Surface->GetPoint(ids[i], places[i].data());
+      places[i] = this->Scale.Times(places[i]);
     }
     return places;
   }
 
-  static std::vector<LabelledTriangle> TrianglesOf(vtkPolyData* surface)
+  std::vector<LabelledTriangle> Triangles() const
   {
     std::vector<LabelledTriangle> triangles;
-    for (Id t = 0; t < static_cast<Id>(surface->GetNumberOfCells()); ++t)
+    for (Id t = 0; t < static_cast<Id>(this->Surface->GetNumberOfCells()); ++t)
     {
-      triangles.push_back({ PlacesOf(surface, t), 0 });
+      triangles.push_back({ this->PlacesOf(t), 0 });
     }
     return triangles;
   }
 
   vtkPolyData* Surface;
+  PowerOfTwo Scale;
   TriangleTree Tree;
 };
 } // namespace
@@ -158,7 +163,7 @@ vtkSmartPointer<vtkPolyData> RefineBoundary(const TetrahedralMesh& mesh,
     triangleOfFace.push_back({ { face[0], static_cast<Id>(triangleOfFace.size()) } });
   }
   std::sort(triangleOfFace.begin(), triangleOfFace.end());
-  const SurfaceMixer mixer(before);
+  const SurfaceMixer mixer(before, PowerOfTwo(-LargestExponent(mesh.Points)));
   std::vector<Id> numbers(refined.Points.size(), None);
   std::vector<Point> points;
   std::vector<Attributes::Mixture> mixtures;

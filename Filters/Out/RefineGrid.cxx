@@ -2,6 +2,7 @@
 #include "Out/RefineGrid.h"
 
 #include "Common/Error.h"
+#include "Common/ScaledPoints.h"
 #include "Common/SortUniquely.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
@@ -156,12 +157,16 @@ void CarryFaces(const TetrahedralMesh& mesh, const RefinedMesh& refined, const c
 void MixOnFaces(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const RefinedMesh& refined, std::vector<Attributes::Mixture>& mixtures)
 {
+  const PowerOfTwo scale(-LargestExponent(mesh.Points));
+  const auto scaled = [&scale](const std::array<Point, 3>& t) {
+    return std::array<Point, 3>{ { scale.Times(t[0]), scale.Times(t[1]), scale.Times(t[2]) } };
+  };
   const std::vector<FacetOfInput> facets = FacetsOf(mesh, regions, {});
   std::vector<LabelledTriangle> triangles;
   triangles.reserve(facets.size());
   for (const FacetOfInput& facet : facets)
   {
-    triangles.push_back({ facet.Corners, 0 });
+    triangles.push_back({ scaled(facet.Corners), 0 });
   }
   const TriangleTree tree(std::move(triangles));
   std::vector<char> isDone(mixtures.size(), 0);
@@ -178,11 +183,12 @@ void MixOnFaces(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
       {
         if (mixtures[p].IsNew && std::exchange(isDone[p], 1) == 0)
         {
-          nearest = tree.NearestTo(refined.Points[p], 0, nearest).Triangle;
+          const Point place = scale.Times(refined.Points[p]);
+          nearest = tree.NearestTo(place, 0, nearest).Triangle;
           const Id face = facets[nearest].Faces[0];
           const Triangle corners = FaceOf(mesh.Cells[face / 4], face % 4);
           mixtures[p].Points = { { corners[0], corners[1], corners[2], corners[0] } };
-          mixtures[p].Weights = WeightsIn(CornersOf(mesh.Points, corners), refined.Points[p]);
+          mixtures[p].Weights = WeightsIn(scaled(CornersOf(mesh.Points, corners)), place);
         }
       }
     }

@@ -130,6 +130,25 @@ class Surface(unittest.TestCase):
         places = split.points[faces[once]] - corners[:, :1]
         np.testing.assert_allclose(np.einsum("tpk,tk->tp", places, normals), 0, atol=1e-12)
 
+    def test_point_data_are_interpolated_at_the_limits_of_doubles(self):
+        for size in (1e-300, 1e150, 1e300):
+            with self.subTest(size):
+                box = surfaces.box()
+                places = surfaces.points_of(box)
+                low, high = places.min(), places.max()
+                surfaces.add_array(box.GetPointData(), "X", (places[:, 0] - low) / (high - low))
+                triangles = np.array([[box.GetCell(k).GetPointId(i) for i in range(3)] for k in range(box.GetNumberOfCells())])
+                huge = make_surface(places * size, triangles)
+                huge.GetPointData().ShallowCopy(box.GetPointData())
+                for length in ({"edge_length": 0.3 * size}, {"size_rules": f"point 0 0 0={0.2 * size!r}; gap=3; curvature=12"}):
+                    made = insideout.tetrahedralize(huge, **length)
+                    self.assertGreater(len(made.solid.cells), 12)
+                    self.assertFalse(np.isnan(made.boundary.point_arrays["X"]).any())
+                    for mesh in (made.boundary, made.solid):  # in the volume points may be without data
+                        known = ~np.isnan(mesh.point_arrays["X"])
+                        expected = (mesh.points[known, 0] / size - low) / (high - low)
+                        np.testing.assert_allclose(mesh.point_arrays["X"][known], expected, atol=1e-9)
+
     def test_options_that_join_triangles_take_a_surface_that_is_kept(self):
         for option in ("merge_coplanar_pieces", "split_seams"):
             with self.assertRaisesRegex(insideout.Error, f"{option} takes a surface that is kept"):

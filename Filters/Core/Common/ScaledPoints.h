@@ -21,6 +21,10 @@ public:
   explicit PowerOfTwo(int exponent);
 
   double Times(double x) const { return x * this->Factors[0] * this->Factors[1]; }
+  Point Times(const Point& p) const
+  {
+    return { { this->Times(p[0]), this->Times(p[1]), this->Times(p[2]) } };
+  }
 
 private:
   double Factors[2];

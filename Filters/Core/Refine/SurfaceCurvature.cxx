@@ -2,6 +2,7 @@
 #include "Refine/SurfaceCurvature.h"
 
 #include "Common/Edge.h"
+#include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
 
@@ -179,26 +180,13 @@ private:
   const std::vector<FacetOfInput>& Facets;
   std::vector<FlatFacet> All;
 };
-
-double LargestCoordinate(const TetrahedralMesh& mesh)
-{
-  double largest = 0;
-  for (const Point& point : mesh.Points)
-  {
-    for (const double x : point)
-    {
-      largest = std::max(largest, std::abs(x));
-    }
-  }
-  return largest;
-}
 } // namespace
 
 std::vector<double> RadiiOfCurvature(
   const TetrahedralMesh& mesh, const std::vector<FacetOfInput>& facets, double featureAngle)
 {
   const FacetsAlongEdges along(mesh, facets, featureAngle);
-  const double rounding = RoundingOfFloats * LargestCoordinate(mesh);
+  const double rounding = RoundingOfFloats * LargestCoordinate(mesh.Points);
   std::vector<double> radii;
   radii.reserve(facets.size());
   for (std::size_t f = 0; f < facets.size(); ++f)
