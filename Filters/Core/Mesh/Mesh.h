@@ -140,8 +140,8 @@ protected:
   {
     const std::vector<Id>& Old;
     const std::vector<Tetrahedron>& Fresh;
-    const std::vector<Triangle>& Gone; ///< removed pieces of the boundary, sorted faces of fresh
-                                       ///< cells, or of cells behind the old ones
+    const std::vector<Triangle>& Gone; ///< removed pieces of the boundary, sorted
+    /// faces of fresh cells, or of cells behind the old ones
     const std::vector<FreshFacet>& Facets;
   };
 
