@@ -28,7 +28,9 @@ bool Cone::HasEdge(Id u, Id v) const
     std::array<Id, 2>{ { std::min(u, v), std::max(u, v) } });
 }
 
-/** Whether all corners of a cell but the center, and the segments between them, are on the wall. */
+/**
+ * Whether all corners of a cell except the center, and the segments between them, are on the wall.
+ */
 bool Cone::Keeps(const Tetrahedron& cell, Id centre, const SegmentTable& segments) const
 {
   for (int k = 0; k < 4; ++k)

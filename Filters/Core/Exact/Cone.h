@@ -26,24 +26,27 @@ struct Cone
   void Add(Id cell);
 
   /**
-   * Make the new cells, and look whether every vertex, facet and segment stays. The center is the
+   * Make the new cells, and check whether every vertex, facet and segment stays. The center is the
    * one vertex that need not be on the wall; its facets stay if they can.
-   * @param[in] gone whose faces are no walls, those on the hull either; None for none
+   * @param[in] gone a vertex whose faces are not walls, nor are those on the hull; None for none
    */
   bool Make(
     const FlippableMesh& mesh, const SegmentTable& segments, Id apex, Id centre, Id gone = None);
 
-  /** Whether facets or faces of the hull between cells that give way have the center. */
+  /**
+   * Whether the center is a corner of a facet, or of a face of the hull, between the replaced
+   * cells.
+   */
   bool HasSurface() const { return !this->SurfaceFaces.empty(); }
 
-  /** Mark the facets at the center again when the new cells are in their place. */
+  /** Mark the facets at the center again, once the new cells are in place. */
   void MarkSurface(FlippableMesh& mesh, Id centre) const;
 
 private:
   bool HasEdge(Id u, Id v) const;
   bool Keeps(const Tetrahedron& cell, Id centre, const SegmentTable& segments) const;
 
-  /** A face between cells that give way, with the center: it stays. */
+  /** A face between replaced cells that has the center as a corner: it stays. */
   struct SurfaceFace
   {
     Id A;

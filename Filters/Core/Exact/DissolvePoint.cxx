@@ -9,40 +9,40 @@ namespace insideout
 {
 namespace
 {
-/** Ways to triangulate fans that are tried: from one end, from the other, by cutting ears. */
+/** Number of ways tried to triangulate a fan: from one end, from the other, by cutting ears. */
 constexpr int WaysToTriangulate = 3;
 
-/** Faces around the point in one plane, from the edge before it to the one behind it, or a disk. */
+/** Faces in one plane around the point: from one edge at the point to another, or a full disk. */
 struct Fan
 {
-  Id Facet; ///< None for faces of the hull and for free faces that only separate sectors
+  Id Facet;               ///< None for faces of the hull and for free faces that separate sectors
   std::vector<Id> Points; ///< the other ends of the edges from the point, in order
-  bool IsClosed;          ///< the last point is beside the first
+  bool IsClosed;          ///< the last point is adjacent to the first
   std::vector<Triangle> Pieces;
 };
 
-/** The star of a point that is to go, its segment, and the fans and sectors around it. */
+/** The star of the point to remove, its segment, and the fans and sectors around it. */
 struct Surroundings
 {
   Id Point;
   std::vector<Id> Star;
-  Id Segment; ///< that the point splits, None for none, and its neighbors there
+  Id Segment; ///< split by the point, None for none, and its neighbors there
   Id Before = None;
   Id Behind = None;
   std::vector<Fan> Fans;
   std::vector<Sector> Sectors;
 };
 
-/** Whether the corners a, b, c of a cell and its fourth are an even permutation of its corners. */
+/** Whether the corners a, b, c and the fourth one are an even permutation of the cell's corners. */
 bool IsEven(const FlippableMesh& mesh, Id cell, Id a, Id b, Id c)
 {
   const auto& others = OtherCorners[mesh.CornerIndex(cell, a)][mesh.CornerIndex(cell, b)];
   return mesh.Cell(cell).Corners[others[0]] == c;
 }
 
-// --- What lies on the point ----------------------------------------------------------------------
+// --- The surroundings of the point ---------------------------------------------------------------
 
-/** @return whether the segment, if there is one, goes on on both sides */
+/** @return whether the segment, if there is one, continues on both sides */
 bool FindStar(const ExactState& state, Surroundings& around)
 {
   const FlippableMesh& mesh = state.Mesh;
@@ -67,7 +67,7 @@ EdgeRing RingTo(const FlippableMesh& mesh, Id point, Id other)
   return ring;
 }
 
-/** The face between two cells of a ring, of the one that begins with its point k. */
+/** The face between cell k of a ring and its predecessor, as seen from cell k. */
 int FaceAt(const FlippableMesh& mesh, const EdgeRing& ring, std::size_t k)
 {
   return mesh.CornerIndex(ring.Cells[k], ring.Points[(k + 1) % ring.Points.size()]);
@@ -171,7 +171,7 @@ bool FindFans(const FlippableMesh& mesh, Surroundings& around)
 }
 
 /**
- * Free pairs of faces between the segment's two halves: cells beyond them need not be seen.
+ * Add free pairs of faces between the segment's two halves: cells beyond them need not be seen.
  * @return whether there is any
  */
 bool AddSeparators(const FlippableMesh& mesh, Surroundings& around)
@@ -308,7 +308,7 @@ bool TriangulateFans(const FlippableMesh& mesh, Surroundings& around, int way)
 
 // --- Sectors -------------------------------------------------------------------------------------
 
-/** A cell's face across from the point is a wall. */
+/** The cell's face across from the point becomes a wall. */
 void AddOuterWall(const FlippableMesh& mesh, Id point, Id cell, Sector& sector)
 {
   if (!sector.IsInfinite)
@@ -319,7 +319,7 @@ void AddOuterWall(const FlippableMesh& mesh, Id point, Id cell, Sector& sector)
   }
 }
 
-/** Each fan is a wall of the sectors on its two sides, which must be two. */
+/** Each fan becomes a wall of the sectors on its two sides, which must differ. */
 bool AddFanWalls(const FlippableMesh& mesh, const std::vector<Id>& sectorOf, Surroundings& around)
 {
   for (const Fan& fan : around.Fans)
@@ -354,7 +354,7 @@ bool AddFanWalls(const FlippableMesh& mesh, const std::vector<Id>& sectorOf, Sur
 bool FindSectors(ExactState& state, Surroundings& around)
 {
   const FlippableMesh& mesh = state.Mesh;
-  std::vector<Id>& sectorOf = state.Scratch.SectorOf; // told for cells of the star only
+  std::vector<Id>& sectorOf = state.Scratch.SectorOf; // valid for cells of the star only
   around.Sectors.clear();
   sectorOf.resize(static_cast<std::size_t>(mesh.NumberOfCells()));
   for (const Id cell : around.Star)
@@ -397,8 +397,7 @@ bool FindSectors(ExactState& state, Surroundings& around)
 bool Fill(ExactState& state, Surroundings& around, VolumePoints volumePoints)
 {
   FlippableMesh& mesh = state.Mesh;
-  // Where nothing but the segment itself is to stay, it does so if all cells meet in one of its
-  // ends.
+  // If only the segment itself has to stay, it does so when all cells meet in one of its ends.
   if (around.Fans.empty())
   {
     volumePoints = VolumePoints::None;

@@ -7,12 +7,12 @@
 namespace insideout
 {
 /**
- * Take a Steiner point out of the mesh. The facets (and faces of the hull) that have the point cut
- * the cells around it into sectors. The facets are triangulated without the point, and each sector
- * is filled with cells that meet in one of its own corners, if one sees all of its boundary; or
- * else, where that is allowed, in a new point within (the idea of George, Borouchaki and Saltel
- * 2003: a point that splits a segment goes into the volume on each side).
- * @return whether the point is gone
+ * Remove a Steiner point. The facets (and faces of the hull) at the point divide the cells around
+ * it into sectors. The facets are triangulated without the point. Each sector is filled with cells
+ * that meet in one of its corners, if one sees its whole boundary. Otherwise they meet in a new
+ * point within, where that is allowed: a point that splits a segment goes into the volume on each
+ * side (George, Borouchaki and Saltel 2003).
+ * @return whether the point is removed
  */
 bool DissolvePoint(ExactState& state, Id point, VolumePoints volumePoints);
 } // namespace insideout

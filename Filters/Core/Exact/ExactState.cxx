@@ -9,7 +9,7 @@ namespace insideout
 {
 namespace
 {
-/** The mesh of points, and the facets between the vertices that stand for these. */
+/** The mesh of points; facets are renumbered to the vertices that represent their corners. */
 FlippableMesh DelaunayMeshOf(const std::vector<Point>& points, std::vector<Triangle>& facets,
   WorkBudget& work, Monitor& monitor)
 {

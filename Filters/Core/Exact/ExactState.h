@@ -23,8 +23,9 @@ struct PointSupport
 };
 
 /**
- * The state of the exact engine, which its functions take and change: a mesh on its way to having
- * facets. A facet is *there* when faces of the mesh are marked as its pieces, *lost* when none is.
+ * The state of the exact engine, which its functions take and change: a mesh whose facets are being
+ * recovered. A facet is *present* when faces of the mesh are marked as its pieces, and *lost* when
+ * none is.
  */
 struct ExactState
 {
@@ -36,7 +37,7 @@ struct ExactState
   ExactState(const std::vector<Point>& points, std::vector<Triangle> facets, WorkBudget& work,
     Monitor& monitor);
 
-  /** A mesh that is there already, and facets between its vertices. */
+  /** An existing mesh, and facets between its vertices. */
   ExactState(FlippableMesh mesh, std::vector<Triangle> facets, Monitor& monitor);
 
   FlippableMesh Mesh;
@@ -54,13 +55,13 @@ struct ExactState
     std::vector<Id> SectorOf; ///< per cell
   } Scratch;
 
-  /** Tell the monitor, which may stop all by throwing. */
+  /** Report progress to the monitor, which may throw to stop the engine. */
   void Report(const ProgressRange& phase, double part = 0) const
   {
     this->Progress->Check(phase, part);
   }
 
-  /** Whether faces are pieces of it, per facet. */
+  /** Per facet, whether the mesh has marked faces of it. */
   std::vector<bool> FacetsThatAreThere() const;
 
   /** The segments of facets, each once, ascending. */
@@ -75,11 +76,13 @@ struct ExactState
 
   PointSupport SupportOf(Id point) const;
 
-  /** The facets that have one of the points, or a cell within this number of cells of it. */
+  /** The facets of the points, and those of cells within this number of rings around the points. */
   std::set<Id> FacetsAround(const std::vector<Id>& points, int rings) const;
 
-  /** Release facets: no face is a piece of them any more, and flips may change their former pieces.
-   * So are the segments that no facet has which is there. */
+  /**
+   * Release facets: their faces lose the mark, so flips may change them. Segments that no present
+   * facet has are released, too.
+   */
   void LetGo(const std::set<Id>& facets);
 };
 } // namespace insideout

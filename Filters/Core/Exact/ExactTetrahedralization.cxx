@@ -17,7 +17,7 @@ namespace
 /** Attempts from scratch before meshing without facets. */
 constexpr int Attempts = 8;
 
-/** The faces that facets lie on, each from the one of its two cells that comes first. */
+/** The faces that facets lie on, each from the first of its two cells. */
 void CollectFaces(const FlippableMesh& mesh, const std::vector<Id>& renamed,
   const std::vector<Id>& names, RawTetrahedra& result)
 {
@@ -36,7 +36,7 @@ void CollectFaces(const FlippableMesh& mesh, const std::vector<Id>& renamed,
   }
 }
 
-/** The finite cells, and the faces with facets by these names. */
+/** The finite cells, and the faces with facets, under these names. */
 RawTetrahedra ResultOf(
   const FlippableMesh& mesh, const std::vector<Point>& points, const std::vector<Id>& names)
 {
@@ -66,9 +66,9 @@ RawTetrahedra ResultOf(
 }
 
 /**
- * One attempt, from the beginning to its end.
- * @param[in,out] names of the facets with area; where some have Steiner points without a place in
- *   doubles they go, and there is no result
+ * One attempt from scratch.
+ * @param[in,out] names of the facets with area. Facets with Steiner points that cannot be rounded
+ *   are removed; then there is no result
  */
 bool Attempt(const std::vector<Point>& points, const std::vector<Triangle>& facets, SplitFrom from,
   std::int64_t workPerElement, Monitor& monitor, std::vector<Id>& names,
@@ -101,8 +101,7 @@ bool Attempt(const std::vector<Point>& points, const std::vector<Triangle>& face
   return false;
 }
 
-/** One attempt, and more without the facets that it has to give up, of which there are fewer each
- * time. */
+/** Repeat attempts, each without the facets given up by the one before. */
 ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, SplitFrom from, std::int64_t workPerElement,
   Monitor& monitor)
@@ -118,12 +117,12 @@ ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& p
     }
     if (attempts == Attempts || names.size() == before)
     {
-      names.clear(); // without facets there are no Steiner points, so this ends
+      names.clear(); // without facets there are no Steiner points, so the loop ends
     }
   }
 }
 
-/** Facets that no face carries, ascending. */
+/** Facets that lie on no face, ascending. */
 std::vector<Id> FacetsWithoutFaces(std::size_t numberOfFacets, const std::vector<Id>& facetOfFaces)
 {
   std::vector<bool> isThere(numberOfFacets, false);

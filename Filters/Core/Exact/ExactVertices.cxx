@@ -11,18 +11,18 @@ namespace insideout
 {
 namespace
 {
-/** What a predicate takes that only exact numbers decide, in units of one that doubles do. */
+/** Work of a predicate that requires exact numbers; the unit is one decided in doubles. */
 constexpr std::int64_t WorkOfExactPredicate = 100;
 
-/** The same for one that double-doubles decide. */
+/** The same for one decided in double-doubles. */
 constexpr std::int64_t WorkOfDoubleDoubles = 20;
 
 /** Relative error of a quotient. */
 constexpr double ErrorOfQuotient = 0x1p-50;
 
 /**
- * Make w positive, and near enough to 1 for doubles not to over- or underflow: numbers of many
- * digits have exponents that go with them.
+ * Make w positive, and near enough to 1 to avoid over- and underflow of doubles: exponents of long
+ * numbers grow with their digits.
  */
 void Normalize(std::array<DyadicNumber, 4>& coordinates)
 {
@@ -49,7 +49,7 @@ void Normalize(std::array<DyadicNumber, 4>& coordinates)
   }
 }
 
-/** x / y in doubles: 0 only for x = 0, and exact where a double is. */
+/** x / y in doubles: 0 only if x = 0, and exact if a double represents it. */
 double Quotient(const DyadicNumber& x, const DyadicNumber& y)
 {
   double low;
@@ -68,7 +68,7 @@ double Quotient(const DyadicNumber& x, const DyadicNumber& y)
       return candidate;
     }
   }
-  // Sizes at the ends of what doubles can hold.
+  // The sizes are near the limits of doubles.
   if (!std::isfinite(middle))
   {
     return std::isfinite(low) ? low : high;
@@ -76,8 +76,10 @@ double Quotient(const DyadicNumber& x, const DyadicNumber& y)
   return middle != 0 ? middle : low != 0 ? low : high;
 }
 
-/** Double-doubles leave a normal and an offset all digits of a double where these are larger parts
- * of what products of coordinates may be. */
+/**
+ * Double-doubles give a normal and an offset to the precision of a double if these exceed this
+ * share of the largest products of coordinates.
+ */
 constexpr double LeastShare = 0x1p-45;
 } // namespace
 
@@ -147,7 +149,7 @@ std::array<DyadicNumber, 4> ExactVertices::CoordinatesOf(Id vertex) const
   return { { DyadicNumber(p[0]), DyadicNumber(p[1]), DyadicNumber(p[2]), DyadicNumber(1) } };
 }
 
-/** Whether all four are in the affine hull of three vertices. */
+/** Whether all four corners are in the affine hull of three vertices. */
 bool ExactVertices::AreInOnePlane(const Tetrahedron& cell) const
 {
   Span span;
@@ -229,10 +231,10 @@ DyadicNumber ExactVertices::Determinant(Id a, Id b, Id c, Id d) const
 {
   const std::array<std::array<DyadicNumber, 4>, 4> m = { { this->CoordinatesOf(a),
     this->CoordinatesOf(b), this->CoordinatesOf(c), this->CoordinatesOf(d) } };
-  // Laplace's expansion by the minors of the first two rows and of the last two.
+  // Laplace expansion by the minors of the first two rows and of the last two.
   const auto minor = [&m](int row, int i, int j) -> DyadicNumber
   { return m[row][i] * m[row + 1][j] - m[row][j] * m[row + 1][i]; };
-  // The rows differ from the volume's by the sign of moving the column of ones to the front.
+  // Moving the column of ones to the front changes the sign relative to the volume.
   return minor(0, 0, 2) * minor(2, 1, 3) - minor(0, 0, 1) * minor(2, 2, 3) -
     minor(0, 0, 3) * minor(2, 1, 2) - minor(0, 1, 2) * minor(2, 0, 3) +
     minor(0, 1, 3) * minor(2, 0, 2) - minor(0, 2, 3) * minor(2, 0, 1);
@@ -270,7 +272,7 @@ bool ExactVertices::FindPlane(Id a, Id b, Id c, const Point& origin, Plane& plan
   plane.Offset =
     (normal[0] * fromOrigin[0] + normal[1] * fromOrigin[1] + normal[2] * fromOrigin[2]).High;
   this->Budget->Spend(WorkOfDoubleDoubles);
-  // Coordinates are wrong by some 2^-104 of their size, and so are differences of them.
+  // Coordinates, and so their differences, have an error of about 2^-104 of their size.
   const double coordinate = size(difference(a, zero, zero)) + size(ab) + size(ac);
   const double side = std::max(size(ab), size(ac));
   const double ofNormal = coordinate * side;

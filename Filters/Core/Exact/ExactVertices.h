@@ -25,10 +25,10 @@ public:
    */
   using Span = std::array<Id, 3>;
 
-  /** @param[in] work what predicates are counted in; it has to live as long as the vertices do */
+  /** @param[in] work counts predicates; it has to outlive the vertices */
   ExactVertices(const std::vector<Point>& points, WorkBudget& work);
 
-  /** The work spent on predicates; callers add what they do besides. */
+  /** The work spent on predicates; callers add their other work. */
   WorkBudget& Work() const { return *this->Budget; }
 
   Id Size() const { return static_cast<Id>(this->Places.size()); }
@@ -38,9 +38,9 @@ public:
 
   /**
    * Add the point a A + b B, with A and B the homogeneous coordinates of two vertices. It becomes a
-   * double where it is one.
+   * double if doubles represent it exactly.
    * @param[in] a, b of one sign and not both 0, so that the point lies between the two
-   * @param[in] span where it lies, exactly
+   * @param[in] span the affine hull that contains the point, exactly
    */
   Id AddBetween(
     Id first, Id second, const DyadicNumber& a, const DyadicNumber& b, const Span& span);
@@ -65,9 +65,9 @@ public:
   };
 
   /**
-   * The plane through three vertices, with all digits of a double, however near to each other they
-   * are; of huge and tiny coordinates not all numbers may be finite. a, b, c run counter-clockwise
-   * seen from where Normal points to.
+   * The plane through three vertices, accurate to a double however close they are. Huge or tiny
+   * coordinates may give infinite or undefined numbers. a, b, c run counter-clockwise seen from
+   * where Normal points to.
    */
   Plane PlaneThrough(Id a, Id b, Id c, const Point& origin) const;
 
@@ -83,7 +83,7 @@ public:
   void EndJournal() { this->Past = Journal(); }
   void GoBack();
 
-  /** Forget the exact coordinates of vertices that are not in use: they are long. */
+  /** Drop the exact coordinates of unused vertices: they are long. */
   template <typename IsInUse>
   void ForgetExactly(const IsInUse& isInUse);
 
@@ -105,7 +105,7 @@ private:
       Id Exact;
     };
     bool IsKept = false;
-    std::vector<Move> Moves; ///< from there, in their order
+    std::vector<Move> Moves; ///< in order, from the start
     std::size_t Size;
     std::size_t NumberOfExact;
   };
@@ -113,7 +113,10 @@ private:
   /** The correction of the coordinates in doubles. */
   Point Beyond(Id vertex) const;
 
-  /** PlaneThrough in double-doubles. @return whether these have digits enough */
+  /**
+   * PlaneThrough in double-doubles.
+   * @return whether their precision suffices
+   */
   bool FindPlane(Id a, Id b, Id c, const Point& origin, Plane& plane) const;
 
   std::array<DyadicNumber, 4> CoordinatesOf(Id vertex) const;

@@ -11,20 +11,22 @@ namespace insideout
 {
 namespace
 {
-/** Steps towards a point that sees all walls of a sector from within, which is tested exactly. They
- * shrink to 3e-6. */
+/**
+ * Limit of steps towards a point that sees all walls of a sector from within, which is tested
+ * exactly. Steps shrink to 3e-6.
+ */
 constexpr int StepsInward = 120;
 
-/** A step that is so much shorter than the distance to the nearest wall gains little. */
+/** A step shorter than this share of the distance to the nearest wall gains little. */
 constexpr double LeastStep = 1.0 / 16;
 
-/** Each step is so much shorter than the last. */
+/** Length of each step relative to the step before. */
 constexpr double StepRatio = 0.9;
 
-/** Distances to walls that are found in the time of one predicate. */
+/** Distances to walls that take the time of one predicate. */
 constexpr std::int64_t DistancesPerWork = 8;
 
-/** A way out of a corner is good enough at this angle (its sine) to the walls. */
+/** Sine of the angle to the walls from which a direction out of a corner is good enough. */
 constexpr double LeastRise = 0.05;
 
 bool SeesAll(const FlippableMesh& mesh, const Sector& sector, Id apex)
@@ -51,14 +53,14 @@ struct HalfSpaces
   std::vector<double> Distances; ///< of the point, negative outside
   double Size = 0;               ///< the largest distance of a corner
 
-  /** How many walls the point is nearer to than `near`. */
+  /** The number of walls nearer to the point than `near`. */
   std::ptrdiff_t CountNear(double near) const
   {
     return std::count_if(this->Distances.begin(), this->Distances.end(),
       [near](double distance) { return distance < near; });
   }
 
-  /** The distance to the nearest wall from a place, negative outside; and which wall it is. */
+  /** The distance from a place to the nearest wall, negative outside, and that wall. */
   double Clearance(const Eigen::Vector3d& x, std::size_t& nearest) const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -75,7 +77,7 @@ struct HalfSpaces
   }
 };
 
-/** Away from the nearest wall, with ever shorter steps. */
+/** Move away from the nearest wall, in shrinking steps. */
 Eigen::Vector3d WalkInward(const HalfSpaces& walls)
 {
   Eigen::Vector3d x(0, 0, 0);
@@ -102,8 +104,8 @@ Eigen::Vector3d WalkInward(const HalfSpaces& walls)
 }
 
 /**
- * Away from all walls that the point is nearer to than `near`, half as far as the others allow: the
- * way for a point on an edge of a thin sector, where WalkInward steps over it.
+ * Move away from all walls nearer than `near`, half as far as the others allow. This works for a
+ * point on an edge of a thin sector, where WalkInward steps over it.
  */
 Eigen::Vector3d LeaveNearWalls(const HalfSpaces& walls, double near)
 {
@@ -144,15 +146,16 @@ Eigen::Vector3d LeaveNearWalls(const HalfSpaces& walls, double near)
   return length / 2 * direction;
 }
 
-/** A little aside, some other way each time, so that symmetric surfaces get no coplanar points. */
+/**
+ * A small shift that differs between vertices, so that symmetric surfaces get no coplanar points.
+ */
 Eigen::Vector3d Aside(Id vertex)
 {
   return { std::sin(1.0 + vertex), std::sin(2.0 + 3.0 * vertex), std::sin(3.0 + 7.0 * vertex) };
 }
 
 /**
- * A new point that sees all walls. Where to look for it is a matter of floating point; whether it
- * is one is tested exactly.
+ * A new point that sees all walls. The search is in floating point; the result is tested exactly.
  */
 Id NewApex(FlippableMesh& mesh, const Sector& sector, const Point& inside)
 {
@@ -189,7 +192,7 @@ Id NewApex(FlippableMesh& mesh, const Sector& sector, const Point& inside)
     const std::ptrdiff_t isNear = near < 0 ? -1 : walls.CountNear(near * walls.Size);
     if (near > 0 && isNear == nearBefore)
     {
-      continue; // the same walls, and so the same place again
+      continue; // the same walls give the same place again
     }
     nearBefore = isNear;
     mesh.Work().Spend(

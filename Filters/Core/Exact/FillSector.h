@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** Whether a change of the mesh may bring new points in the volume. */
+/** Whether a change of the mesh may insert new points into the volume. */
 enum class VolumePoints
 {
   None,
@@ -23,7 +23,7 @@ struct Sector
 /**
  * Append the cells of all sectors to `fresh`. The cells of each meet in one point: a corner that
  * sees all its walls, or a new point.
- * @param[in] inside a point that all walls are seen from, or nearly: new points are near it
+ * @param[in] inside a point that sees all walls, or nearly; new points lie near it
  * @return false, and no new point, if that cannot be done
  */
 bool FillSectors(FlippableMesh& mesh, const std::vector<Sector>& sectors, const Point& inside,

@@ -5,7 +5,7 @@ namespace insideout
 {
 namespace
 {
-/** An edge in a segment's way is much harder to get rid of than a face. */
+/** An edge that obstructs a segment is much harder to remove than a face. */
 constexpr int CostOfEdgeCrossing = 3;
 } // namespace
 

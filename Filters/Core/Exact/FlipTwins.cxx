@@ -7,7 +7,7 @@ namespace insideout
 {
 namespace
 {
-/** There are few twins, so that they may be tried hard. */
+/** Twins are rare, so a high effort is affordable. */
 constexpr FlipEffort TwinFlips = { { 0, 12 }, 2, 200 };
 } // namespace
 

@@ -6,8 +6,8 @@
 namespace insideout
 {
 /**
- * If a Steiner point near its exact position splits a facet, the whole facet may be a face, too:
- * its *twin*. Readers of the mesh cannot distinguish the two: flip the twin away where possible.
+ * A facet that a rounded Steiner point splits may also be a single face: its *twin*. Readers of the
+ * mesh cannot distinguish the two, so flip the twin away where possible.
  */
 void FlipTwinsAway(ExactState& state);
 } // namespace insideout

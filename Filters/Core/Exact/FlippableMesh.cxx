@@ -28,10 +28,10 @@ using DelaunayCell = CGAL::Triangulation_cell_base_with_info_3<Id, Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
   CGAL::Triangulation_data_structure_3<DelaunayVertex, DelaunayCell>>;
 
-/** Cells that are looked at in the time of one predicate. */
+/** Cells visited in the time of one predicate. */
 constexpr std::int64_t CellsPerWork = 2;
 
-/** Cells that are looked at in turn in the time that it takes to find one face. */
+/** Cells visited in sequence in the time of one search for a face. */
 constexpr std::size_t CellsPerSearch = 20;
 } // namespace
 
@@ -216,7 +216,7 @@ void FlippableMesh::FindFacesOneByOne(
   }
 }
 
-/** Look each face of each cell up among the triangles, which are in buckets by lowest vertex. */
+/** Look up each face of each cell among the triangles, which are in buckets by lowest vertex. */
 void FlippableMesh::FindFacesInAllCells(
   const std::vector<Triangle>& triangles, std::vector<MeshFace>& faces) const
 {

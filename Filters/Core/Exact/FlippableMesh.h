@@ -111,14 +111,14 @@ public:
   /** How many times Replace or Touch was called. */
   std::int64_t NumberOfChanges() const { return this->Own.Changes; }
 
-  /** Mark the surroundings of a vertex as changed, because a constraint has, but no cell. */
+  /** Mark the surroundings of a vertex as changed: a constraint has changed, but no cell. */
   void Touch(Id vertex)
   {
     this->RecordVertex(vertex, this->Own);
     this->ChangeAround[vertex] = ++this->Own.Changes;
   }
 
-  /** Marks for searches that have none of their own. */
+  /** Marks for searches without marks of their own. */
   CellMarks& Marks() const { return this->Own.Marks; }
 
 private:

@@ -9,7 +9,7 @@ namespace insideout
 {
 namespace
 {
-/** What a triangulation of a ring leaves in the way of a target. */
+/** The obstacles that a triangulation of a ring leaves to a target. */
 struct CostsOfRing
 {
   static constexpr int Edge = 0;
@@ -49,8 +49,8 @@ bool IsLocked(const ExactState& state, const EdgeRing& ring)
 }
 
 /**
- * Around an edge of the hull the ring begins with the infinite vertex here. The edge may go where
- * the two faces of the hull beside it are a flat, strictly convex quadrilateral.
+ * Around an edge of the hull the ring begins with the infinite vertex here. The edge may be removed
+ * if the two faces of the hull beside it form a flat, strictly convex quadrilateral.
  */
 bool IsHullFlip(const ExactVertices& vertices, const EdgeRing& ring)
 {
@@ -196,20 +196,24 @@ bool RemoveEdgeDeeply(
 
 namespace
 {
-/** For a round of plain flips, per point and constraint: some 0.02 ms. Surfaces of which flips
- * recover nearly all take a tenth. */
+/**
+ * Work limit of a round of plain flips, per point and constraint: about 0.02 ms. Surfaces that
+ * flips recover almost entirely take a tenth of it.
+ */
 constexpr std::int64_t WorkPerElement = 1000;
 
-/** The deeper flips that follow, each of which gains less for more work. */
+/** The deeper flips that follow; each gains less for more work. */
 constexpr std::array<FlipEffort, 3> DeepFlips = { { { { -1, 10 }, 1, 40 }, { { 0, 12 }, 2, 150 },
   { { 1, 12 }, 3, 500 } } };
 
-/** For each of these, per point and constraint, and at most: a ms or two, for the surfaces on which
- * they do without any cut. What they do not get, cuts recover in less time. */
+/**
+ * Work limits of each of these, per point and constraint, and in all: one or two ms, for surfaces
+ * that need no cut then. Cuts recover the rest in less time.
+ */
 constexpr std::int64_t DeepWorkPerElement = 375;
 constexpr std::int64_t MostWorkOnDeepFlips = 60000;
 
-/** How often the monitor is asked. */
+/** Constraints between two calls of the monitor. */
 constexpr std::size_t ConstraintsPerCheck = 4;
 } // namespace
 
@@ -219,7 +223,7 @@ std::vector<Id> RecoverInRounds(const ExactState& state, std::vector<Id> missing
 {
   const WorkBudget& work = state.Mesh.Work();
   const std::int64_t elements = state.Mesh.Infinite() + static_cast<std::int64_t>(constraints);
-  // Nobody knows how many rounds there will be: each takes half of what is left of the phase.
+  // The number of rounds is unknown: each gets half of the remaining progress of the phase.
   double left = 1;
   const auto round = [&](FlipEffort effort, std::int64_t mostWork)
   {
@@ -240,7 +244,7 @@ std::vector<Id> RecoverInRounds(const ExactState& state, std::vector<Id> missing
     left /= 2;
   };
 
-  // While a round gets many, another gets more.
+  // Another round follows while the last one recovered more than half.
   std::size_t before = 2 * missing.size() + 2;
   while (!missing.empty() && missing.size() < before - before / 10)
   {

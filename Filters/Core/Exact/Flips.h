@@ -17,37 +17,37 @@ struct FlipLimits
   int LargestRing = 12;
 };
 
-/** Any flip, where nothing is in the way of anything; of larger rings hardly one gains. */
+/** Any flip, for meshes without a target; larger rings hardly ever gain. */
 constexpr FlipLimits AnyFlip = { 0, 10 };
 
-/** How hard flips try to take an edge away. */
+/** The effort for removing an edge by flips. */
 struct FlipEffort
 {
   FlipLimits Limits;
-  int Depth;  ///< levels of edges that may go before it, to make its ring smaller
+  int Depth;  ///< levels of recursion: edges that are removed first to make its ring smaller
   int Budget; ///< number of attempts
 
   /** The work (WorkBudget) after which attempts end. */
   std::int64_t EndOfWork = std::numeric_limits<std::int64_t>::max();
 };
 
-/** Only flips that leave less in the way than before. Few larger rings can be triangulated. */
+/** Only flips that reduce the obstacles. Larger rings can rarely be triangulated. */
 constexpr FlipEffort PlainFlips = { { -1, 10 }, 0, 0 };
 
 /**
- * The flips: take a face or an edge out of a mesh, and choose of all ways to do so one that leaves
- * least in the way of a target. Constraints that are there stay.
+ * Flips remove a face or an edge, in the way that leaves a target the fewest obstacles. Present
+ * constraints stay.
  *
  * An edge with n cells around it is removed by triangulating the ring of n points; every triangle
  * becomes two cells (Freitag and Ollivier-Gooch 1997); the best triangulation is found by dynamic
  * programming (Klincsek 1980).
  */
 
-/** Take the face across from corner `face` away: two cells become three. */
+/** Remove the face across from corner `face`: two cells become three. */
 bool RemoveFace(
   ExactState& state, Id cell, int face, const FlipTarget& target, const FlipLimits& limits);
 
-/** Take the edge between u and v, of `cell`, away. */
+/** Remove the edge between u and v, of `cell`. */
 bool RemoveEdge(
   ExactState& state, Id u, Id v, Id cell, const FlipTarget& target, const FlipLimits& limits);
 
@@ -60,12 +60,12 @@ bool RemoveEdgeDeeply(
   ExactState& state, Id u, Id v, const FlipTarget& target, const FlipEffort& effort, int& budget);
 
 /**
- * Recover constraints by flips that reduce the obstacles each time, and a few of the remaining ones
- * by deeper flips; cuts recover the rest faster.
+ * Recover constraints by flips that reduce the obstacles each time, then some of the rest by deeper
+ * flips; cuts recover the remainder faster.
  * @param[in] missing the constraints, in the order in which they are tried
  * @param[in] constraints their total number, to which the work is proportional
  * @param[in] recover called with a constraint and an effort; returns whether the mesh has it then
- * @return the ones that are still missing, in the same order
+ * @return the constraints still missing, in the same order
  */
 std::vector<Id> RecoverInRounds(const ExactState& state, std::vector<Id> missing,
   std::size_t constraints, const ProgressRange& phase,

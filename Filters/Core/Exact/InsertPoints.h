@@ -15,11 +15,9 @@
 namespace insideout
 {
 /**
- * Insert points into a triangulation of CGAL's whose vertices have an id for information, in an
- * order that goes from each to one near by. A vertex gets the lowest id of coincident points.
- *
- * @param[in] check called every now and then with the share of the points that is inserted; may
- *            throw
+ * Insert points into a CGAL triangulation whose vertices store an id, in an order in which
+ * successive points are near each other. A vertex gets the lowest id of coincident points.
+ * @param[in] check called at intervals with the fraction of points inserted; may throw
  */
 template <typename Triangulation, typename Check>
 void InsertPoints(

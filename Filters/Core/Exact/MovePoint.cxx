@@ -8,10 +8,10 @@ namespace insideout
 {
 namespace
 {
-/** Cells that give way to a point that moves: nearly all moves change fewer. */
+/** Limit of cells replaced when a point moves: nearly all moves replace fewer. */
 constexpr std::size_t LargestCavity = 400;
 
-/** The hull stays as it is, and is convex where it is so at each edge. */
+/** Whether the hull, which keeps its shape, is convex at each edge. */
 bool IsHullConvex(const FlippableMesh& mesh, const std::vector<Id>& star, Id point, Id apex)
 {
   for (const Id cell : star)
@@ -35,9 +35,7 @@ bool IsHullConvex(const FlippableMesh& mesh, const std::vector<Id>& star, Id poi
   return true;
 }
 
-/**
- * Find the cells that give way. Infinite ones stay: they are connected with the vertex as before.
- */
+/** Find the cells to replace. Infinite ones stay: they remain connected with the vertex. */
 bool Grow(const FlippableMesh& mesh, Cone& cone, Id point, Id apex)
 {
   std::vector<Id> star;

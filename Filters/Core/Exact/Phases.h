@@ -6,9 +6,9 @@
 namespace insideout
 {
 /**
- * The phases of the exact engine, in the order in which it first comes there, with each phase's
- * share of the progress: about its share of the time on real surfaces. Phases that repeat within
- * others have no share. If facets are lost, several phases are repeated, without progress.
+ * The phases of the exact engine, in the order of their first start. Each has a share of the
+ * progress: about its share of the time on real surfaces. Phases that repeat within others have
+ * none. If facets are lost, several phases repeat without progress.
  */
 struct Phases
 {

@@ -11,7 +11,7 @@ namespace
 {
 /**
  * Add the cells that a segment passes through, beginning at its other end, whose star is small.
- * @return whether no constraint or vertex is in the way
+ * @return whether no constraint or vertex obstructs it
  */
 bool AddCrossed(ExactState& state, Id apex, Id other)
 {
@@ -43,7 +43,7 @@ bool AddCrossed(ExactState& state, Id apex, Id other)
   return crossing.Kind == Crossing::AtEnd;
 }
 
-/** Whether a fresh cell is turned as it should, be it beyond the hull. */
+/** Whether a new cell is positively oriented, infinite ones included. */
 bool IsTurnedRight(const FlippableMesh& mesh, const Tetrahedron& cell)
 {
   const int infinite = CornerIndexIn(cell, mesh.Infinite());

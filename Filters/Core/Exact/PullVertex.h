@@ -13,8 +13,8 @@ namespace insideout
  *
  * Points of CAD models are (nearly) cospherical: more than one mesh is (nearly) Delaunay. This
  * chooses the one that facets need: the pulling triangulation (Lee 1991).
- * @return whether the two are connected; else the mesh stays as it is, for a constraint is in the
- *   way
+ * @return whether the two are connected; else a constraint is in the way, and the mesh stays as it
+ *   is
  */
 bool PullVertex(ExactState& state, Id apex, Id other);
 } // namespace insideout

@@ -10,17 +10,19 @@ namespace insideout
 {
 namespace
 {
-/** Share of the work of a recovery, as a divisor, that may go into shaking Steiner points that have
- * places; some ms more. */
+/**
+ * Limit of the work for shaking rounded Steiner points: this divisor of the work of their recovery,
+ * plus some ms.
+ */
 constexpr std::int64_t WorkPerShake = 10;
 constexpr std::int64_t WorkOnShaking = 1000000;
 
-/** Rings of cells around points that find no place in which facets are given up. */
+/** Rings of cells, around points that cannot be rounded, in which facets are given up. */
 constexpr int RingsGivenUp = 5;
 
 /**
- * Do without some of the Steiner points that cells at hand could not do without.
- * @param[in] workBefore what their recovery took
+ * Remove Steiner points that the cells around them kept from being removed, by shaking.
+ * @param[in] workBefore the work of their recovery
  */
 void ShakeOff(ExactState& state, std::int64_t since, std::int64_t workBefore)
 {

@@ -46,7 +46,8 @@ std::vector<MeshEdge> BoundaryOf(const ExactState& state, Id facet)
 }
 
 /**
- * The face on the facet to the left of the edge from x to y, or the edge that passes through there.
+ * The face on the facet to the left of the edge from x to y, or the edge that crosses the facet
+ * there.
  * @param[in] off a vertex off the facet's plane
  */
 Search FaceBeside(const FlippableMesh& mesh, const Triangle& corners, const MeshEdge& edge, Id off,
@@ -91,7 +92,7 @@ Search FaceBeside(const FlippableMesh& mesh, const Triangle& corners, const Mesh
   return Search::Impossible;
 }
 
-/** From the facet's boundary inward, face by face. */
+/** Find faces from the facet's boundary inward. */
 Search FindFaces(
   const ExactState& state, Id facet, std::vector<MeshFace>& faces, MeshEdge& crossing)
 {
@@ -200,13 +201,13 @@ std::vector<Id> FindLostFacets(ExactState& state)
 
 namespace
 {
-/** Passes over all edges that cross a facet: each leaves fewer, or other ones. */
+/** Limit of passes over all edges that cross a facet: each pass leaves fewer edges, or others. */
 constexpr int PassesPerFacet = 20;
 
-/** How often the monitor is asked. */
+/** Facets between two calls of the monitor. */
 constexpr std::size_t FacetsPerCheck = 4;
 
-/** All edges that cross the facet and hang together with `first` through cells. */
+/** All edges that cross the facet and are connected with `first` through cells. */
 std::vector<MeshEdge> AllCrossings(
   const FlippableMesh& mesh, const FlipTarget& target, const MeshEdge& first)
 {
@@ -277,7 +278,7 @@ bool Recover(ExactState& state, Id facet, const FlipEffort& effort)
   return false;
 }
 
-/** Put a point where the edge passes through the facet's plane, if it does. */
+/** Insert a point where the edge crosses the facet's plane, if it does. */
 bool SplitOnFacet(FlippableMesh& mesh, const Triangle& f, const MeshEdge& edge)
 {
   const DyadicNumber atU = mesh.Vertices().Determinant(f[0], f[1], f[2], edge.U);
@@ -319,7 +320,7 @@ std::vector<Id> RecoverFacetsBySplits(ExactState& state, const std::vector<Id>& 
     Search search = FindFaces(state, facet, faces, crossing);
     while (search == Search::Crossed && !state.Mesh.Work().IsUsedUp())
     {
-      // None of the edges that cross the facet goes because of the others' points, and none comes.
+      // Splitting an edge at the facet neither removes another crossing edge nor creates one.
       const std::vector<MeshEdge> crossings = AllCrossings(state.Mesh, target, crossing);
       const bool isSplit = std::all_of(crossings.begin(), crossings.end(),
         [&](const MeshEdge& edge) { return SplitOnFacet(state.Mesh, state.Facets[facet], edge); });

@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** Facets, whose edges the mesh has, become unions of faces of the mesh, which are marked. */
+/** Facets whose edges are in the mesh become unions of marked faces. */
 
 /** Mark every facet that is one face between segments none of which is split. @return the others */
 std::vector<Id> MarkWholeFacets(ExactState& state, const std::vector<Id>& facets);
@@ -17,9 +17,9 @@ std::vector<Id> FindLostFacets(ExactState& state);
 std::vector<Id> RecoverFacetsByFlips(ExactState& state, const std::vector<Id>& missing);
 
 /**
- * Recover facets by putting a Steiner point on each where an edge crosses it. Edges get no end
- * beyond the facet by that, so it is done once per edge.
- * @return facets of which an edge is missing
+ * Recover facets by inserting a Steiner point wherever an edge crosses one. New edges end on the
+ * facet and do not cross it, so each edge is split once.
+ * @return facets with a missing edge
  */
 std::vector<Id> RecoverFacetsBySplits(ExactState& state, const std::vector<Id>& missing);
 } // namespace insideout

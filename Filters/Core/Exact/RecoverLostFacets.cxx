@@ -13,13 +13,16 @@ namespace insideout
 {
 namespace
 {
-/** Facets are taken out in fewer than this many rings of cells around a lost one. */
+/** Facets are released in fewer than this many rings of cells around a lost one. */
 constexpr unsigned RingsOfRuins = 3;
 
-/** On facets that are lost, beside as much as all before took: a second or two. */
+/** Work limit for lost facets, besides as much as everything before took: a second or two. */
 constexpr std::int64_t WorkOnLostFacets = 100000000;
 
-/** Points on the edges of facets are rounded: they can only go together with all facets there. */
+/**
+ * Points on the edges of facets are rounded: they can only be removed together with all facets
+ * there.
+ */
 void AddFacetsBesideSteinerPoints(const ExactState& state, std::set<Id>& facets)
 {
   std::set<Id> split;
@@ -51,7 +54,7 @@ std::vector<Id> ChooseRuins(ExactState& state, const std::vector<Id>& lost)
 {
   std::mt19937& random = state.Random;
   const Triangle& facet = state.Facets[lost[random() % lost.size()]];
-  // One after the other: compilers do not agree which argument of a call comes first.
+  // Separate statements: compilers evaluate arguments of a call in different orders.
   const int rings = static_cast<int>(random() % RingsOfRuins);
   const Id corner = facet[random() % 3];
   std::set<Id> ruins = state.FacetsAround({ corner }, rings);
@@ -65,7 +68,7 @@ std::vector<Id> ChooseRuins(ExactState& state, const std::vector<Id>& lost)
   return order;
 }
 
-/** Other cells around facets to begin with: else flips would go the same way again. */
+/** Change the cells around facets first; otherwise flips would take the same course again. */
 void ShakeCorners(ExactState& state, const std::vector<Id>& facets)
 {
   std::set<Id> corners;

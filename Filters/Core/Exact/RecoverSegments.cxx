@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** How often the monitor is asked. */
+/** Segments between two calls of the monitor. */
 constexpr std::size_t SegmentsPerCheck = 16;
 } // namespace
 
@@ -65,7 +65,7 @@ std::vector<Id> RecoverSegmentsByPulls(ExactState& state, const std::vector<Id>&
 
 namespace
 {
-/** Nearly all segments need fewer than ten flips, and some would go on for ever. */
+/** Nearly all segments take fewer than ten flips; some would never end. */
 constexpr int FlipsPerSegment = 50;
 
 bool Clear(
@@ -82,7 +82,7 @@ bool Clear(
   {
     return true;
   }
-  // Edges that the line between the two apexes passes on the outside first.
+  // Edges that the line between the two apexes passes on the outside come first.
   const Id p = mesh.Cell(cell).Corners[crossing.Face];
   const Id q = mesh.Opposite(cell, crossing.Face);
   const Triangle f = mesh.FaceCorners(cell, crossing.Face);
@@ -109,8 +109,8 @@ bool Clear(
 }
 
 /**
- * Take away something that the segment crosses: from one end, or else from the other.
- * @param[in] first what it crosses first
+ * Remove an obstacle of the segment: from one end, or else from the other.
+ * @param[in] first the first crossing
  */
 bool ClearOne(ExactState& state, Id a, Id b, const Crossing& first, const FlipTarget& target,
   const FlipEffort& effort)
@@ -160,16 +160,19 @@ std::vector<Id> RecoverSegmentsByFlips(ExactState& state, const std::vector<Id>&
 
 namespace
 {
-/** On one segment, and beside it: one that needs more passes through what it may not. */
+/**
+ * Limit of points on one segment and beside it: a segment that takes more passes through a
+ * constraint.
+ */
 constexpr int SplitsPerSegment = 1000;
 
-/** Binary digits of a place on a segment: cells are not thinner, for doubles have 1074. */
+/** Binary digits of a position on a segment: cells are not thinner, because doubles have 1074. */
 constexpr int DigitsOnSegment = 500;
 
 /**
- * A point of the segment from a to b within a cell: of all such points one whose place between a
- * and b has the fewest binary digits, by bisection. `beyondFace` is the corner of the cell across
- * from the face through which the segment enters.
+ * A point of the segment from a to b within a cell. Its position between a and b has the fewest
+ * binary digits of all such points; bisection finds it. `beyondFace` is the corner of the cell
+ * across from the face through which the segment enters.
  */
 Id SteinerPointWithin(FlippableMesh& mesh, Id cell, Id a, Id b, Id beyondFace)
 {
@@ -208,7 +211,7 @@ Id SteinerPointWithin(FlippableMesh& mesh, Id cell, Id a, Id b, Id beyondFace)
   return None;
 }
 
-/** Put a point where the segment from start to end crosses an edge. */
+/** Insert a point where the segment from start to end crosses an edge. */
 Id SplitCrossedEdge(FlippableMesh& mesh, Id start, Id end, const Crossing& crossing, Id off)
 {
   const Id u = crossing.U;
@@ -235,7 +238,8 @@ bool SplitAndRecover(ExactState& state, Id segment, Id start, Id end)
       return false;
     }
     state.Report(Phases::SplittingSegments);
-    // Points are made from the segment's own ends, which are short, not from Steiner points on it.
+    // Points are made from the segment's own ends, whose numbers are short, not from Steiner points
+    // on it.
     Id point = None;
     const Crossing crossing = FirstCrossing(mesh, a, end);
     if (crossing.Kind == Crossing::ThroughEdge)
@@ -245,7 +249,7 @@ bool SplitAndRecover(ExactState& state, Id segment, Id start, Id end)
     else if (crossing.Kind == Crossing::AtVertex && crossing.U > mesh.Infinite() &&
       state.SupportOf(crossing.U).IsNothing())
     {
-      point = crossing.U; // in the volume, which may lie on the segment by rounding
+      point = crossing.U; // a point in the volume, which may lie on the segment by rounding
     }
     else if (crossing.Kind == Crossing::ThroughFace)
     {

@@ -24,9 +24,9 @@ enum class SplitFrom
 };
 
 /**
- * Recover segments with Steiner points that lie exactly on them. Each is put where the segment
- * passes through a cell or over an edge, so nothing is lost and the rest shrinks: this fails only
- * on segments that pass through a vertex.
+ * Recover segments with Steiner points that lie exactly on them. Each lies where the segment passes
+ * through a cell or over an edge, so no constraint is lost and the remaining segment shrinks. Only
+ * segments that pass through a vertex fail.
  */
 std::vector<Id> RecoverSegmentsBySplits(
   ExactState& state, const std::vector<Id>& missing, SplitFrom from);

@@ -8,11 +8,11 @@ namespace insideout
 /**
  * Give Steiner points that lie exactly on segments and facets coordinates in doubles. A point on a
  * segment may move along it; any point may move off its exact position by the size of rounding
- * errors, and the facets around bend with it. All cells stay positive, so nothing comes to cross.
- * If the new position would invert cells, they are reconnected (MovePoint).
+ * errors, and the facets around it bend. All cells stay positive, so no crossing arises. If the new
+ * position would invert cells, they are reconnected (MovePoint).
  *
- * Points that cannot be rounded are removed where possible, first in order and then after flips at
- * random around them (Shake), as long as there get fewer.
+ * Points that cannot be rounded are removed where possible, first in order, then after random flips
+ * around them (Shake), for as long as their number drops.
  * @param[in] since as for Tidy
  * @return the ones that are left
  */

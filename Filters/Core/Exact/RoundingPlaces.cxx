@@ -8,19 +8,19 @@ namespace insideout
 {
 namespace
 {
-/** Places on a segment are tried with at most this many binary digits: a double has no more. */
+/** Limit of binary digits of a position on a segment: a double has no more. */
 constexpr int MostDigits = 52;
 
-/** Parts of a segment between whose ends a point is tried. */
+/** Number of parts of a segment whose ends are candidates. */
 constexpr int PlacesAlong = 16;
 
-/** Points go this much aside, in units of 2^-52 of the largest coordinate around: 1e-14 of it. */
+/** Shifts of points, in units of 2^-52 of the largest coordinate nearby: up to 1e-14 of it. */
 constexpr std::array<double, 3> StepsAside = { { 1, 8, 64 } };
 
 /** Points that are not on the surface may go farther. */
 constexpr std::array<double, 7> StepsInVolume = { { 1, 8, 64, 4096, 1e6, 1e9, 1e12 } };
 
-/** Places along the segment, those first that fewer binary digits say. */
+/** Places along the segment, those with the fewest binary digits first. */
 std::vector<Point> PlacesOnSegment(
   const FlippableMesh& mesh, const std::array<Id, 2>& ends, Id point, bool exactly)
 {
@@ -60,7 +60,7 @@ std::vector<Point> PlacesOnSegment(
   return places;
 }
 
-/** The nearest place, and those around it. */
+/** The nearest place, then those around it. */
 template <std::size_t Size>
 std::vector<Point> PlacesBeside(
   const FlippableMesh& mesh, Id point, const std::array<double, Size>& steps)
@@ -96,7 +96,7 @@ std::vector<Point> PlacesBeside(
   return places;
 }
 
-/** Places all along the way between two vertices, each a little aside, too. */
+/** Places all along the line between two vertices, each also slightly shifted. */
 std::vector<Point> PlacesBetween(const FlippableMesh& mesh, Id u, Id v)
 {
   const Point a = mesh.Vertices().Nearest(u);

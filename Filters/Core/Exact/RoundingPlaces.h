@@ -6,9 +6,9 @@
 namespace insideout
 {
 /**
- * Candidate positions in doubles for a Steiner point, those nearest to its segment or facet first:
- * exactly on its segment, its nearest doubles, beside the segment, around, and all along the
- * segment. The cells around need not stay positive there.
+ * Candidate positions in doubles for a Steiner point, nearest to its segment or facet first:
+ * exactly on the segment, its nearest doubles, beside the segment, around it, and all along it.
+ * Cells may be inverted there.
  */
 std::vector<Point> PlacesFor(const ExactState& state, Id point);
 } // namespace insideout

@@ -11,7 +11,7 @@ namespace insideout
 namespace
 {
 constexpr double NanosecondsPerSide = 10;   ///< for entering an edge of a facet
-constexpr double NanosecondsPerVertex = 60; ///< for sorting the edges that it is the lower end of
+constexpr double NanosecondsPerVertex = 60; ///< for sorting the edges whose lower end it is
 } // namespace
 
 SegmentTable::SegmentTable(const std::vector<Triangle>& facets)
@@ -42,8 +42,8 @@ SegmentTable::SegmentTable(const std::vector<Triangle>& facets)
       const std::array<Id, 2> ends = endsOf(number);
       visit(static_cast<std::size_t>(ends[0]), Side{ ends[1], number });
     });
-  // The first edge between two vertices gives the segment its number.
-  std::vector<std::size_t> first(3 * facets.size()); // per side, of the same edge
+  // The first edge between two vertices determines the segment's number.
+  std::vector<std::size_t> first(3 * facets.size()); // per side, the first side of the same edge
   ParallelLoop(vertices, NanosecondsPerVertex,
     [&](std::size_t vertex)
     {

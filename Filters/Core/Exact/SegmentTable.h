@@ -11,8 +11,8 @@
 namespace insideout
 {
 /**
- * The edges of facets, each once, and where Steiner points split them. Steiner points have higher
- * ids than all corners of facets. Copies share the constant data.
+ * The edges of facets, each once, and the Steiner points that split them. Steiner points have
+ * higher ids than all corners of facets. Copies share the constant data.
  */
 class SegmentTable
 {
@@ -27,7 +27,7 @@ public:
   /** The segment of edge k of a facet, which runs from corner k to the next. */
   Id OfFacet(Id facet, int k) const { return this->Given->OfFacets[facet][k]; }
 
-  /** The segment that an edge is (a piece of), None for none. */
+  /** The segment that an edge is, or is a piece of; None for none. */
   Id Find(Id u, Id v) const;
 
   /** Whether Steiner points split it. */
@@ -42,7 +42,7 @@ public:
   /** Insert a Steiner point between two neighbors on the segment. */
   void Split(Id segment, Id u, Id v, Id steiner);
 
-  /** Take a Steiner point out again. */
+  /** Remove a Steiner point. */
   void Join(Id segment, Id steiner);
 
   /** Release a segment that no facet needs any more. */
@@ -70,7 +70,7 @@ private:
   };
 
   std::shared_ptr<const GivenEdges> Given;
-  std::vector<char> IsWhole; ///< per segment: it is there, and no Steiner point on it
+  std::vector<char> IsWhole;                     ///< per segment: neither released nor split
   std::unordered_map<std::uint64_t, Id> OfPiece; ///< the segments of edges at Steiner points
   std::unordered_map<Id, std::vector<Id>> Inner; ///< Steiner points of the segments that have some
   std::unordered_map<Id, Id> OfPoint;            ///< and the segment of each of these points

@@ -7,7 +7,7 @@ namespace insideout
 {
 namespace
 {
-/** From one cell at a point towards another vertex: of some twenty cells, few walks see as many. */
+/** Limit of steps from cell to cell around a point: most stars have some twenty cells. */
 constexpr int StepsInStar = 40;
 
 Crossing End(Id cell)
@@ -34,8 +34,8 @@ Crossing Face(Id cell, int face)
 struct Cone
 {
   Triangle Link;            ///< the face across from a, counter-clockwise seen from a
-  std::array<int, 3> Sides; ///< of b: positive where it is inside of a, Link[k] and the next
-  int Outside;              ///< the first k with a negative side, -1 where b is within
+  std::array<int, 3> Sides; ///< of b: positive if it is inside of a, Link[k] and the next
+  int Outside;              ///< the first k with a negative side, -1 if b is within
 };
 
 Cone ConeTowards(const FlippableMesh& mesh, Id a, Id b, Id cell)
@@ -49,7 +49,7 @@ Cone ConeTowards(const FlippableMesh& mesh, Id a, Id b, Id cell)
   return cone;
 }
 
-/** Where the way from a leaves a cell whose cone it is in. */
+/** The crossing at which the segment from a leaves the cell whose cone contains it. */
 Crossing WayOut(const FlippableMesh& mesh, Id a, Id cell, const Cone& cone)
 {
   const std::array<int, 3>& sides = cone.Sides;
@@ -125,7 +125,9 @@ Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
   return Vertex(cell);
 }
 
-/** Beyond the edge uv the way lies in the face (u, v, p) of `cell`, whose fourth corner is q. */
+/**
+ * Beyond the edge uv the segment lies in the face (u, v, p) of `cell`, whose fourth corner is q.
+ */
 Crossing WithinFace(const FlippableMesh& mesh, Id a, Id b, Id cell, Id u, Id v, Id p, Id q)
 {
   const int atP = mesh.Vertices().Orient(a, b, p, q);
@@ -191,7 +193,7 @@ Crossing FirstCrossing(const FlippableMesh& mesh, Id a, Id b)
   {
     cell = mesh.Cell(cell).Neighbors[mesh.CornerIndex(cell, mesh.Infinite())];
   }
-  // From cell to cell around a, across a side that b is beyond. That may go round in circles.
+  // Walk around a, from cell to cell across a side that b is beyond. The walk may be cyclic.
   for (int step = 0; step < StepsInStar && cell != None && !mesh.IsInfinite(cell); ++step)
   {
     if (mesh.Has(cell, b))

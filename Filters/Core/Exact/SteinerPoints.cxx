@@ -14,12 +14,12 @@ namespace insideout
 
 namespace
 {
-/** Take away edges at a point that carry no constraint. */
+/** Remove unconstrained edges at a point. */
 void LowerDegree(ExactState& state, Id point)
 {
   const FlippableMesh& mesh = state.Mesh;
   const FlipTarget nothing(mesh);
-  std::int64_t before = -1; // an edge that stayed stays where nothing has changed since
+  std::int64_t before = -1; // an edge stays if nothing has changed around it since its last trial
   while (mesh.NumberOfChanges() > before)
   {
     const std::int64_t since = before;
@@ -36,7 +36,7 @@ void LowerDegree(ExactState& state, Id point)
   }
 }
 
-/** Connect all that is around a point in the volume with a neighbor of it. */
+/** Collapse a point in the volume onto any neighbor that allows it. */
 bool CollapseAnyhow(ExactState& state, Id point)
 {
   if (!state.SupportOf(point).IsNothing())
@@ -55,12 +55,14 @@ bool RemovePoint(ExactState& state, Id point)
 }
 } // namespace
 
-// --- All of them ---------------------------------------------------------------------------------
+// --- Moving and removing -------------------------------------------------------------------------
 
 namespace
 {
-/** Stop removing points one by one when fewer than one in this many goes, or after this many
- * passes, which none was seen to take. */
+/**
+ * Stop removing points one by one when fewer than one in this many is removed, or after this number
+ * of passes, which no surface has reached.
+ */
 constexpr std::size_t LeastYield = 50;
 constexpr int RemovingPasses = 1000;
 
@@ -80,7 +82,7 @@ void MoveIntoVolume(ExactState& state, Id first, std::int64_t since)
 void RemovePoints(ExactState& state, Id first, std::int64_t since)
 {
   const FlippableMesh& mesh = state.Mesh;
-  // A removal that failed is tried again only when something around the point has changed.
+  // A failed removal is repeated only after a change around the point.
   std::vector<std::int64_t> triedAt(
     static_cast<std::size_t>(mesh.Vertices().Size() - first), since);
   std::size_t tried = 0;
@@ -113,7 +115,7 @@ void Tidy(ExactState& state, Id first, std::int64_t since)
 
 namespace
 {
-/** Flips at random for each cell around a point, and at most around a point. */
+/** Limits of random flips around a point: per cell there, and in all. */
 constexpr std::size_t FlipsPerCell = 2;
 constexpr std::size_t FlipsPerShake = 200;
 } // namespace

@@ -9,19 +9,19 @@ namespace insideout
 constexpr int ShakesWithoutGain = 12;
 
 /**
- * Replace Steiner points from `first` on that lie on facets by points beside these, if they are
- * needed; then remove those that are not needed, which are more in the volume.
- * @param[in] since points around which nothing has changed since (FlippableMesh::NumberOfChanges)
- *            stay as they are
+ * Move Steiner points from `first` on from facets into the volume, or remove them if they are not
+ * needed there. Then remove points one by one; those in the volume go more easily.
+ * @param[in] since points with no change around them after this one
+ *   (FlippableMesh::NumberOfChanges) stay as they are
  */
 void Tidy(ExactState& state, Id first, std::int64_t since = -1);
 
 /**
- * Flip at random around points, and then try again to do without them, or to have them in the
- * volume: the cells that bar the way are others each time.
+ * Flip at random around points, then try again to remove them or to move them into the volume.
+ * Other cells bar the way each time.
  */
 void Shake(ExactState& state, const std::vector<Id>& points);
 
-/** Flip at random in the cells around a vertex. */
+/** Flip at random around a vertex. */
 void FlipAround(ExactState& state, Id vertex);
 } // namespace insideout

@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** Asks the caller whether to go on, and passes on no stage and no progress of its own. */
+/** Lets the caller stop the search; forwards no stage and no progress. */
 class AskingMonitor : public Monitor
 {
 public:

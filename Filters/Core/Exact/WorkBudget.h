@@ -7,7 +7,7 @@
 namespace insideout
 {
 /**
- * The work done, and its limit. Its unit is about one predicate that doubles decide, some 10 ns.
+ * The work done, and its limit. Its unit is about one predicate decided in doubles, some 10 ns.
  * Unlike time it is the same on every machine: a run that ends by it ends with the same mesh each
  * time.
  */
