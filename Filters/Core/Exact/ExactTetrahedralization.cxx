@@ -68,7 +68,7 @@ RawTetrahedra ResultOf(
 /**
  * One attempt from scratch.
  * @param[in,out] names of the facets with area. Facets with Steiner points that cannot be rounded
- *   are removed; then there is no result
+ * are removed; then there is no result
  */
 bool Attempt(const std::vector<Point>& points, const std::vector<Triangle>& facets, SplitFrom from,
   std::int64_t workPerElement, Monitor& monitor, std::vector<Id>& names,

@@ -37,11 +37,11 @@ struct ExactTetrahedralization
  *
  * @param[in] points finite, spanning space. If several coincide, the first represents them
  * @param[in] facets ids in range; any two may meet only in shared points and edges, and no point
- *   may lie within one of their edges. A facet that breaks this is lost
+ * may lie within one of their edges. A facet that breaks this is lost
  * @param[in] monitor hears the phases by name (Phases.h), and a fraction that only grows
  * @param[in] workPerElement the work limit per point and facet (WorkBudget). When it is used up, no
- *   more Steiner points are inserted, and missing facets are lost. The default is about 4 ms each:
- *   one of 150 real surfaces took three tenths of it, the others at most a tenth
+ * more Steiner points are inserted, and missing facets are lost. The default is about 4 ms each:
+ * one of 150 real surfaces took three tenths of it, the others at most a tenth
  * @throws Error Planar, Inconsistent, Stopped
  */
 ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,

@@ -14,7 +14,7 @@ namespace insideout
  * Points of CAD models are (nearly) cospherical: more than one mesh is (nearly) Delaunay. This
  * chooses the one that facets need: the pulling triangulation (Lee 1991).
  * @return whether the two are connected; else a constraint is in the way, and the mesh stays as it
- *   is
+ * is
  */
 bool PullVertex(ExactState& state, Id apex, Id other);
 } // namespace insideout

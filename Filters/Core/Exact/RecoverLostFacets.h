@@ -11,7 +11,7 @@ namespace insideout
  * mesh. Repeat while work is left. Facets that cross others stay lost.
  * @param[in] points of the mesh, as they were given
  * @param[in] from the end of segments at which Steiner points began; attempts alternate between the
- *   ends, the other first
+ * ends, the other first
  */
 void RecoverLostFacets(ExactState& state, const std::vector<Point>& points, SplitFrom from);
 } // namespace insideout

@@ -12,7 +12,7 @@ constexpr int ShakesWithoutGain = 12;
  * Move Steiner points from `first` on from facets into the volume, or remove them if they are not
  * needed there. Then remove points one by one; those in the volume go more easily.
  * @param[in] since points with no change around them after this one
- *   (FlippableMesh::NumberOfChanges) stay as they are
+ * (FlippableMesh::NumberOfChanges) stay as they are
  */
 void Tidy(ExactState& state, Id first, std::int64_t since = -1);
 

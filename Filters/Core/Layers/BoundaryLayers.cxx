@@ -23,18 +23,22 @@ namespace insideout
 {
 namespace
 {
-/** Later rounds move few points. The end has come where fewer than this share of them moved. */
+/** Limit of rounds. They end earlier when fewer than this share of the points move. */
 constexpr int MostRounds = 12;
 constexpr double LeastShareOfMoved = 0.05;
 
-/** Passes over the cells between rounds, and behind the last: most come around again. */
+/**
+ * Passes over the cells after each round, and after the last one; the next round repairs the rest.
+ */
 constexpr int PassesOfRound = 2;
 constexpr int PassesAtEnd = 4;
 
 /** Shares from here on count as full height. */
 constexpr double FullShare = 0.999;
 
-/** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
+/**
+ * Sizes beyond 2 to this power are scaled, because products of lengths might over- or underflow.
+ */
 constexpr int LargestOrdinaryExponent = 60;
 
 [[noreturn]] void Refuse(const std::string& what)
@@ -42,7 +46,7 @@ constexpr int LargestOrdinaryExponent = 60;
   throw Error(ErrorCode::InvalidParameter, what);
 }
 
-/** Refuse faces of a wall that are not there, are between cells, or are there twice. */
+/** Refuse wall faces that do not exist, have a second cell or are repeated. */
 void CheckWall(const TetrahedralMesh& mesh, const std::vector<Id>& wall)
 {
   std::vector<char> isOfWall(4 * mesh.Cells.size(), 0);
@@ -92,7 +96,7 @@ void CheckParameters(const TetrahedralMesh& mesh, const std::vector<Id>& regions
   CheckCells(mesh);
 }
 
-/** Refuse more points or cells than ids count, with room for those of their faces. */
+/** Refuse more points or cells than ids can count, with room for the ids of their faces. */
 void CheckSize(const TetrahedralMesh& mesh, const LayerWall& wall, int layers)
 {
   constexpr double most = std::numeric_limits<Id>::max() / 16.0;
@@ -235,7 +239,7 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
     {
       break;
     }
-    // Edges of the moved wall are shorter: what is as long as the wall's were is in the way.
+    // Edges of the moved wall are shorter: edges as long as the former ones would be in the way.
     sizes.FollowSurface();
     ThinPoints(refinable);
     improve(before, PassesOfRound, 0.6 * round / MostRounds, 0.6 * (round + 1) / MostRounds);

@@ -17,15 +17,15 @@ struct LayerParameters
 };
 
 /**
- * Layers of prisms inside a part of the boundary, whose triangles stay bit by bit. At each of its
- * points all layers shrink alike where there is no room for them: in gaps, where the wall is bent,
- * beside faces between regions and the rest of the boundary to 0, so that no two layers meet. Along
- * planar parts of the rest they go on (Sides), and its triangles there get narrower in their plane.
- * A prism that loses an edge is a pyramid, one that loses two a tetrahedron. All other faces of the
- * boundary and between regions stay.
+ * Layers of prisms inside a part of the boundary, whose triangles stay bit by bit. At each point of
+ * the wall all layers shrink by the same factor where room is missing: in gaps and where the wall
+ * is bent. Beside faces between regions and beside the rest of the boundary they shrink to 0, so no
+ * two layers meet. They continue along planar parts of that rest (Sides), whose triangles get
+ * narrower in their plane. A prism that loses an edge is a pyramid, one that loses two a
+ * tetrahedron. All other faces of the boundary and between regions stay.
  *
  * Every cell is positive at its corners, exactly (Orient), each inner face belongs to two cells,
- * and the cells fill the solid. The same result for the same input, always.
+ * and the cells fill the solid. The result is deterministic.
  *
  * Statistics: Layers, Prisms, Pyramids, LayerTetrahedra; WallTriangles, WallPoints, of these
  * ReducedPoints, whose layers are lower than asked for, and BarePoints without layers;
@@ -39,7 +39,7 @@ struct LayerParameters
  * @param[in] labels per face of each cell, one for each planar part of the boundary; empty: a
  * single one
  * @throws Error InvalidParameter, for parameters out of range, another number of regions, and a
- * face that is none, has a second cell or is there twice; TooLarge; Stopped
+ * wall face that does not exist, has a second cell or is repeated; TooLarge; Stopped
  */
 LayeredMesh MakeBoundaryLayers(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<Id>& wall, const std::vector<std::array<Id, 4>>& labels,

@@ -7,11 +7,15 @@
 
 namespace insideout
 {
-/** Where the borders of layers are between the wall and the innermost one: 0, and up to 1. */
+/**
+ * The positions of the borders of layers, as fractions of the way from the wall: 0, and up to 1.
+ */
 std::vector<double> FractionsOfLayers(int layers, double growth);
 
-/** The corners of a triangle of the wall and the ends of the layers behind them; equal where there
- * is none. */
+/**
+ * The corners of a triangle of the wall and the inner ends of its layers; equal where there is
+ * none.
+ */
 struct LayerColumn
 {
   std::array<Point, 3> Outer; ///< counter-clockwise seen from outside
@@ -22,9 +26,8 @@ struct LayerColumn
 Point PlaceOnBorder(const Point& outer, const Point& inner, double fraction);
 
 /**
- * Whether all cells of a column are positive at their corners, exactly: a prism at all six; a
- * pyramid and a tetrahedron, which it becomes where one or two edges have no length, at all of
- * theirs.
+ * Whether all cells of a column are positive at their corners, exactly: a prism, or the pyramid or
+ * tetrahedron that it becomes if one or two edges have no length.
  */
 bool IsPositive(const LayerColumn& column, const std::vector<double>& fractions);
 } // namespace insideout

@@ -20,7 +20,7 @@ constexpr double ShareOfGap = 1.0 / 3;
 /** Least share of a wall edge behind the layers. */
 constexpr double LeastShareOfEdge = 0.25;
 
-/** The cell around a point that its direction leads into; None if rounding hides it. */
+/** The cell around a point that its direction leads into; None if rounding obscures it. */
 Id CellAhead(
   const RefinableMesh& mesh, Id point, const std::vector<Id>& star, const Point& direction)
 {
@@ -49,7 +49,7 @@ Id CellAhead(
   return ahead;
 }
 
-/** How far it is along a direction to a facet; anything above `enough` where it is farther. */
+/** The distance along a direction to a facet; any value above `enough` if it is larger. */
 double WayToFacet(const RefinableMesh& mesh, Id point, const std::vector<Id>& star,
   const Point& direction, double enough)
 {
@@ -58,7 +58,7 @@ double WayToFacet(const RefinableMesh& mesh, Id point, const std::vector<Id>& st
   return FindFacetAhead(mesh, { mesh.Points[point], cell, -1, exit }, direction, enough).Way;
 }
 
-/** Lower what would make edges of the wall too short, or turn them over. */
+/** Lower heights that would make edges of the wall too short, or reverse them. */
 void KeepEdges(const std::vector<Point>& points, const LayerWall& wall,
   const std::vector<WallDirection>& directions, std::vector<double>& heights)
 {
@@ -80,7 +80,7 @@ void KeepEdges(const std::vector<Point>& points, const LayerWall& wall,
   }
 }
 
-/** Let heights grow along edges no faster than they may. */
+/** Limit the growth of heights along edges. */
 void Grade(const std::vector<Point>& points, const LayerWall& wall, std::vector<double>& heights)
 {
   using Entry = std::pair<double, Id>;

@@ -12,10 +12,10 @@ namespace insideout
 constexpr double GradingOfHeights = 1;
 
 /**
- * How high layers may get at each point of a wall: as high as asked for, but at most a third of the
- * way to the facet ahead. Edges keep a quarter of their length, and neighbors are
- * graded. Counts the points for which a gap is too narrow. One value per point of the mesh, 0 where
- * there is no direction.
+ * The largest heights of layers at each point of a wall: the height asked for, but at most a third
+ * of the way to the facet ahead. Edges keep a quarter of their length, and neighbors are graded.
+ * Counts the points in gaps that are too narrow. One value per point of the mesh, 0 where there is
+ * no direction.
  */
 std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wall,
   const std::vector<WallDirection>& directions, double height, Id& narrow);

@@ -26,10 +26,12 @@ struct LayeredMesh : LayerCells
   std::vector<Point> Points;
   std::vector<Id>
     OriginalPoints; ///< per point, its number in the input; None for a new or moved one
-  std::vector<Id> CellsOfPoints; ///< per point, a cell of the input that holds it, or is near it
+  std::vector<Id> CellsOfPoints; ///< per point, an input cell that contains it or is near it
 
-  /** Per point of the input the point that replaces it in other facets than the wall; None for a
-   * removed one. At rims it is behind the layers. */
+  /**
+   * Per point of the input, the point that replaces it in facets other than the wall; None for a
+   * removed one. At rims it is behind the layers.
+   */
   std::vector<Id> PointsBeside;
   std::vector<LayerSide> Sides; ///< along other facets, between these and the wall
 
@@ -37,8 +39,10 @@ struct LayeredMesh : LayerCells
   std::vector<Tetrahedron> Tetrahedra;
   std::size_t NumberOfCellsBehind = 0; ///< of these tetrahedra
 
-  /** Per cell, tetrahedra before pyramids before prisms: one of the input that holds it, or is
-   * near it, of the same region; and its layer, from 1 at the wall, 0 behind. */
+  /**
+   * Per cell, tetrahedra before pyramids before prisms: an input cell of the same region that
+   * contains it or is near it, and its layer: 1 at the wall, 0 behind the layers.
+   */
   std::vector<Id> OriginalCells;
   std::vector<Id> Layers;
 

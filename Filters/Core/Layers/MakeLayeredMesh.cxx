@@ -113,7 +113,7 @@ private:
   void AddColumn(const Triangle& triangle, Id cell)
   {
     int lifted = 0;
-    int first = 0; // the one that is lifted alone, or that is not
+    int first = 0; // index of the only lifted corner, or of the only one that is not
     for (int k = 0; k < 3; ++k)
     {
       lifted += this->IsLifted(triangle[k]) ? 1 : 0;
@@ -149,7 +149,7 @@ private:
     }
   }
 
-  /** The quads along another facet, triangles where one end of the edge is not lifted. */
+  /** Add the quads along another facet; triangles where one end of the edge is not lifted. */
   void AddSides(const RimEdge& edge)
   {
     for (Id layer = 1; layer <= this->Layers; ++layer)
@@ -199,7 +199,7 @@ private:
     }
   }
 
-  /** Find the cells of the input that hold points and cells. */
+  /** Find the input cells that contain points and cells. */
   void Locate(Monitor& monitor)
   {
     std::vector<Point> middles;
@@ -227,8 +227,9 @@ private:
 
   const PushedSolid& Solid;
   const Id Layers;
-  std::vector<Id> Outer;       ///< per point of the mesh its own, at the wall
-  std::vector<Id> FirstBorder; ///< and the one on the border of the first layer, None without
+  std::vector<Id> Outer; ///< per point of the mesh, its point at the wall
+  std::vector<Id>
+    FirstBorder; ///< per point, the one on the inner border of the first layer; None without layers
   std::vector<CellOfLayer> OfPyramids;
   std::vector<CellOfLayer> OfPrisms;
   LayeredMesh Result;

@@ -25,7 +25,8 @@ struct PushedSolid
 };
 
 /**
- * Points and cells of the layers between a wall and where it was pushed to, and of what is behind.
+ * Make the points and cells of the layers, between a wall and its pushed position, and those
+ * behind.
  *
  * @throws Error Stopped
  */

@@ -14,15 +14,17 @@ namespace insideout
 {
 namespace
 {
-/** Degrees. A move may make cells as flat as this, and bad ones half as good: others take their
- * place before the next. */
+/**
+ * Degrees. A move may flatten cells down to this angle, and halve the quality of worse ones; cells
+ * are improved before the next round.
+ */
 constexpr double LeastAngle = 14;
 constexpr double LeastShare = 0.5;
 
-/** How far to go at once, as a share of the edges' length, so that the wall stays smooth. */
+/** Length of a step relative to the edges, so that the wall stays smooth. */
 constexpr double StepOfEdges = 0.5;
 
-/** Halvings of a move that is not possible. */
+/** Limit of halvings of a step that is not possible. */
 constexpr int MostHalvings = 4;
 } // namespace
 
@@ -61,7 +63,7 @@ Id PushedWall::Advance(double share)
   return moved;
 }
 
-/** How high layers may be at a point, given how far its neighbors are. */
+/** Limit of the height of layers at a point, given the heights at its neighbors. */
 double PushedWall::MostAt(Id point) const
 {
   double most = this->Push.Heights[point];
@@ -111,7 +113,7 @@ bool PushedWall::IsInside(Id point, const Point& place) const
       });
 }
 
-/** Whether the layers around a point are positive where it is moved. */
+/** Whether the layers around a point are positive after a move. */
 bool PushedWall::ArePositive(Id point, const Point& place) const
 {
   const auto at = this->Push.Wall.TrianglesAt[point];

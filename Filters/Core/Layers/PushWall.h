@@ -15,15 +15,15 @@ struct WallPush
 {
   const LayerWall& Wall;
   const std::vector<WallDirection>& Directions;
-  const std::vector<double>& Heights;   ///< of the layers that there is to be room for
+  const std::vector<double>& Heights;   ///< of the layers to make room for
   const std::vector<double>& Fractions; ///< of the layers' borders
 };
 
 /**
- * Moves the points of a wall inward, whole or not at all each. After a move all cells of the mesh
- * and of the layers around are positive, exactly. The point has gone to the inner side of all
- * triangles of the moved wall around it. So the moved wall never crosses itself or the wall: each
- * move sweeps only cells around the point.
+ * Moves the points of a wall inward. A step is done completely or not at all: afterwards all cells
+ * of the mesh and of the layers around are positive, exactly. Each step leads to the inner side of
+ * all triangles of the moved wall around the point. So the moved wall never crosses itself or the
+ * wall: each move sweeps only cells around the point.
  */
 class PushedWall
 {
@@ -31,17 +31,18 @@ public:
   PushedWall(RefinableMesh& mesh, const WallPush& push);
 
   /**
-   * Move each point on, at most about as far as its neighbors are.
+   * Advance each point, at most about as far as its neighbors.
    *
-   * @param[in] share of the way that is left to go at once, where edges are shorter than it
+   * @param[in] share of the remaining way to go at once, if edges are shorter than that
+   *
    * @return the number of points moved
    */
   Id Advance(double share);
 
-  /** Where a point of the wall was. */
+  /** The initial position of a point of the wall. */
   const Point& Outer(Id point) const { return this->Start[point]; }
 
-  /** The height of the layers that there is room for now. */
+  /** The present height of the layers at a point. */
   double Height(Id point) const { return this->Gone[point]; }
 
 private:
@@ -52,7 +53,7 @@ private:
 
   RefinableMesh& Mesh;
   const WallPush Push;
-  std::vector<Point> Start; ///< of the points of the mesh when it began
+  std::vector<Point> Start; ///< initial positions of the mesh's points
   std::vector<double> Gone; ///< height of the layers at each
   std::vector<Id> Cells;
   std::vector<Triangle> Walls;

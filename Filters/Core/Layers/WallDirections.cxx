@@ -10,22 +10,30 @@ namespace insideout
 {
 namespace
 {
-/** With more the direction at a ridge of three planes gets no better by a degree. */
+/**
+ * Limit of iterations: more change the direction at a ridge of three planes by less than a degree.
+ */
 constexpr int StepsOfHull = 50;
 
-/** Directions with a smaller cosine run along a triangle: layers there would be all but flat. */
+/** Directions with a smaller cosine run along a triangle: layers there would be nearly flat. */
 constexpr double LeastCosine = 0.1;
 
-/** In a corner of 60 degrees layers end twice their height from the point; sharper ones get less.
+/**
+ * Limit of the length of an edge relative to the layers' height, as in a corner of 60 degrees;
+ * sharper corners get lower layers.
  */
 constexpr double MostTimesHeight = 2;
 
-/** Rounds of smoothing, and how much of the best cosine a smoothed direction keeps. */
+/**
+ * Number of rounds of smoothing, and the share of the best cosine that a smoothed direction keeps.
+ */
 constexpr int Rounds = 5;
 constexpr double LeastShareOfCosine = 0.9;
 
-/** Behind layers higher than edges are long the moved points of a ridge would overtake others:
- * there directions turn on, up to 45 degrees, until edges keep this share. */
+/**
+ * Layers may be higher than edges are long. Then the moved points of a ridge would overtake others:
+ * directions there turn by up to 45 degrees, until edges keep this share of their length.
+ */
 constexpr double ShareOfEdge = 0.5;
 constexpr double LeastShareAtShortEdges = 0.7;
 constexpr int MostRoundsAtShortEdges = 100;
@@ -37,8 +45,10 @@ Point Unit(const Point& vector)
                     : Point{ { 0, 0, 0 } };
 }
 
-/** 0 for one so short that its direction may be rounding: as long as the best cosine is the
- * shortest in a hull of normals. */
+/**
+ * The unit vector; 0 for a vector so short that its direction may be a rounding error. The best
+ * cosine is the length of the shortest vector in a hull of normals.
+ */
 Point UnitUnlessShort(const Point& vector)
 {
   return Length(vector) > LeastCosine ? Unit(vector) : Point{ { 0, 0, 0 } };
@@ -74,7 +84,9 @@ public:
     }
   }
 
-  /** Turn directions of points towards those of the neighbors, where enough of the cosine stays. */
+  /**
+   * Turn the directions of points towards those of their neighbors, as far as the cosine allows.
+   */
   void Smooth(const std::vector<Id>& chosen, double leastShare)
   {
     const std::vector<WallDirection> before = this->All;
@@ -102,7 +114,7 @@ public:
     }
   }
 
-  /** The ends of edges that get too short behind layers of a height. */
+  /** The ends of edges that become too short behind layers of a height. */
   std::vector<Id> EndsOfShortEdges(const std::vector<Point>& points, double height) const
   {
     std::vector<Id> ends;

@@ -8,16 +8,17 @@
 
 namespace insideout
 {
-/** Which way the layers go at a point of a wall. */
+/** The direction of the layers at a point of a wall. */
 struct WallDirection
 {
   Point Inward = { { 0, 0, 0 } }; ///< of length 1
-  double Cosine = 0; ///< the least with the inner normals of the triangles around; 0: no way in
+  double Cosine =
+    0; ///< the least with the inner normals of the triangles around; 0: no direction inward
 
   /** The length of an edge through layers of height 1: longer in corners. */
   double LengthPerHeight() const;
 
-  /** The product of this way and a vector. */
+  /** The product of this direction and a vector. */
   double WayAlong(const Point& vector) const;
 };
 

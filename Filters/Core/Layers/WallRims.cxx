@@ -11,8 +11,10 @@ namespace insideout
 {
 namespace
 {
-/** Sine of the angle between facets of one plane: that of seven digits, as files have them, on
- * facets a tenth as long as the model. */
+/**
+ * Sine of the angle up to which facets count as coplanar: coordinates of seven digits, as files
+ * have them, on facets a tenth as long as the model.
+ */
 constexpr double SineInPlane = 1e-6;
 
 Point UnitNormal(const std::array<Point, 3>& corners)
@@ -28,7 +30,7 @@ bool AreParallel(const Point& u, const Point& v)
   return Length(Cross(u, v)) <= SineInPlane;
 }
 
-/** The planes of other facets that were met around a point. */
+/** The planes of the other facets found so far around a point. */
 struct PlanesAt
 {
   std::vector<Point> Normals;
@@ -42,7 +44,7 @@ struct PlanesAt
     {
       if (AreParallel(this->Normals[i], normal))
       {
-        // On a sheet, or in another tag.
+        // On a sheet, or with another label.
         this->IsHeld |= !(Dot(this->Normals[i], normal) > 0) || this->Labels[i] != label;
         return;
       }
@@ -53,7 +55,7 @@ struct PlanesAt
   }
 };
 
-/** How many triangles of the wall and other facets an edge has. */
+/** The numbers of triangles of the wall and of other facets at an edge. */
 struct EdgeUse
 {
   int OfWall = 0;
@@ -117,7 +119,7 @@ private:
     }
   }
 
-  /** Find the edges of rims; hold points of those where more than two facets meet. */
+  /** Find the edges of rims; hold the points of edges where more than two facets meet. */
   void FindEdges(const LayerWall& wall, WallRims& rims)
   {
     std::unordered_map<Edge, EdgeUse, HashOfEdge> uses;
@@ -144,7 +146,7 @@ private:
         }
       }
     }
-    for (const Triangle& t : wall.Triangles) // in an order of the input
+    for (const Triangle& t : wall.Triangles) // in the order of the input
     {
       for (int k = 0; k < 3; ++k)
       {
@@ -162,7 +164,7 @@ private:
     }
   }
 
-  /** Go on from rims over facets of one plane. */
+  /** Continue from rims over coplanar facets. */
   void FindPointsInPlanes(const RefinableSurface& surface, WallRims& rims) const
   {
     std::vector<std::vector<Id>> facetsAt(this->At.size());

@@ -15,7 +15,7 @@ struct WallRim
   bool IsHeld = false;        ///< it may go nowhere
   std::vector<Point> Normals; ///< of length 1, at most two; none within the wall
 
-  /** The part of a vector that leads along all planes. */
+  /** The component of a vector along all planes. */
   Point Along(const Point& vector) const;
 };
 
@@ -36,12 +36,12 @@ struct WallRims
 };
 
 /**
- * Find the rims of a wall. Layers go on along planar parts of the boundary, of one label each. Held
- * are points where the boundary is not planar, up to digits of single precision; where labels meet
- * in a plane; at faces between regions; and where the cells are not connected through faces.
+ * Find the rims of a wall. Layers continue along planar parts of the boundary, of one label each.
+ * Some points are held: where the boundary is not planar, up to single precision; where labels meet
+ * in a plane; at faces between regions; and where cells are not connected through faces.
  *
  * @param[in] facets of the mesh (FacetsOf)
- * @param[in] wallFaces those that are the wall's, 4 * cell + face
+ * @param[in] wallFaces the faces of the wall, 4 * cell + face
  */
 WallRims FindWallRims(const TetrahedralMesh& mesh, const std::vector<FacetOfInput>& facets,
   const RefinableSurface& surface, const std::vector<Id>& wallFaces, const LayerWall& wall);

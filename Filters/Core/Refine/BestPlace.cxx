@@ -14,12 +14,12 @@ namespace insideout
 {
 namespace
 {
-/** Limit of uphill steps: after these little remains to gain. */
+/** Limit of uphill steps: later steps gain little. */
 constexpr int MostSteps = 8;
 constexpr int MostHalvings = 5;
 constexpr int StepsOfHull = 12;
 
-/** Cells whose shape is this close to the worst one's are improved together with it. */
+/** Cells whose shape is this close to the worst one are improved together with it. */
 constexpr double NearWorst = 1.2;
 constexpr std::size_t MostActive = 6;
 

@@ -33,7 +33,7 @@ Triangle KeyOf(const SurfacePiece& piece)
   return SortedTriangle(piece.Corners).Points;
 }
 
-/** Covers pieces that are the same from both sides, too. */
+/** Whether two pieces meet; includes identical pieces seen from different sides. */
 bool Meet(const SurfacePiece& a, const SurfacePiece& b)
 {
   return KeyOf(a) == KeyOf(b) || MeetBeyondSharedCorners(a.Corners, a.Places, b.Corners, b.Places);

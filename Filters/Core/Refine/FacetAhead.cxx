@@ -10,10 +10,13 @@ namespace insideout
 {
 namespace
 {
-/** Cosine below which a way runs along a face, as it does in the planes of rims. */
+/** Cosine below which a ray counts as running along a face, as rays in the planes of rims do. */
 constexpr double LeastCosineThrough = 1e-5;
 
-/** A way through cells is a few; one among flat cells may turn in a circle by rounding. */
+/**
+ * Limit of cells along a ray: most rays cross a few, but among flat cells rounding may make a
+ * cycle.
+ */
 constexpr int MostSteps = 2000;
 } // namespace
 

@@ -36,11 +36,13 @@ constexpr double LargestRadiusEdgeRatio = 2;
 /** Larger cavities are refused: their places are far from the cell to be removed. */
 constexpr std::size_t LargestCavity = 2000;
 
-/** Least distance to other points, relative to the length, beside shorter edges: beside two nearly
- * coincident points the number of points would be unbounded. */
+/**
+ * Least distance to other points beside shorter edges, relative to the length. It bounds the number
+ * of points beside two nearly coincident ones.
+ */
 constexpr double LeastSpacingBesideShort = 0.01;
 
-/** Limit of points inserted for radii of thin cells, per existing point: a budget. */
+/** Limit of points inserted for the radii of thin cells, per existing point. */
 constexpr std::size_t MostBesideShort = 4;
 
 /**

@@ -102,7 +102,7 @@ public:
     return cells;
   }
 
-  /** @param[in] mayAdd whether points may be added, too */
+  /** @param[in] mayAdd whether points may be added */
   void Improve(Id cell, bool mayAdd)
   {
     if (this->Mesh.IsDead(cell) || this->ShapeOfCell(cell) >= this->Good ||
@@ -117,8 +117,9 @@ public:
     }
   }
 
-  /** Split interior edges that are far too long, if lengths are wanted and the surface has them,
-   * too. */
+  /**
+   * Split interior edges that are far too long, if lengths are wanted and the surface follows them.
+   */
   void CutLongEdges()
   {
     const Id count = this->IsRemeshed && this->Sizes.IsAskedFor() ? this->Mesh.NumberOfCells() : 0;
@@ -170,7 +171,7 @@ private:
     return last;
   }
 
-  /** Whether anything has changed around the cell since this was asked last. */
+  /** Whether anything around the cell has changed since the last call for it. */
   bool HasChanged(Id cell)
   {
     this->TriedAt.resize(this->Mesh.NumberOfCells(), None);

@@ -9,14 +9,15 @@
 namespace insideout
 {
 /**
- * Improve the worst cells, the worst first, each by the first operation that does: reconnecting its
- * points (Reconnection), moving a corner (PointSmoothing), contracting a corner (Contraction),
- * inserting a point (PointInsertion). No step makes the worst shape of the cells it changes worse,
- * so that it ends.
+ * Improve the worst cells, the worst first, each by the first operation that succeeds: reconnecting
+ * its points (Reconnection), moving a corner (PointSmoothing), contracting a corner (Contraction),
+ * inserting a point (PointInsertion). No step lowers the worst shape of the cells it changes, so
+ * improvement terminates.
  *
- * @param[in] since of the mesh's changes (NumberOfChanges): cells around which nothing has changed
- * since then are left; None: all are looked at
- * @param[in] passes over all cells, of which the first adds no points
+ * @param[in] since a count of the mesh's changes (NumberOfChanges): cells with no later change
+ * around them are skipped; None: no cell is
+ * @param[in] passes over all cells; the first adds no points
+ *
  * @throws Error Stopped
  */
 void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,

@@ -12,13 +12,13 @@ namespace insideout
 {
 namespace
 {
-/** A walk in a facet crosses some pieces; one that goes round and round ends. */
+/** Limit of steps of a walk in a facet: walks cross a few pieces, and may be cyclic. */
 constexpr int MostSteps = 200;
 
-/** Larger cavities would be of places far from what is to be split. */
+/** Limit of replaced cells: larger cavities belong to places far from the piece to be split. */
 constexpr std::size_t LargestCavity = 400;
 
-/** Cells as flat as that (ShapeOf) are of points that rounding put beside one plane. */
+/** Shape (ShapeOf) of cells between points that rounding put beside one plane. */
 constexpr double LeastShape = 1e-14;
 
 /** Whether a place in the plane of a triangle is in its circumcircle. */
@@ -49,7 +49,7 @@ void SurfaceInsertion::Start(const Point& place)
   this->Hole.Start(place);
 }
 
-/** With the cells on both sides. */
+/** Add a piece together with the cells on both sides. */
 void SurfaceInsertion::AddPiece(const PieceOfCell& piece)
 {
   const Triangle key = SortedTriangle(this->CornersOf(piece)).Points;
@@ -165,7 +165,7 @@ bool SurfaceInsertion::DropPieces()
   return true;
 }
 
-/** The edges of the pieces that no other of the same facet has, but for the one that is halved. */
+/** The edges that belong to one of the pieces of a facet, except the one that is halved. */
 void SurfaceInsertion::CollectRim()
 {
   this->Rim.clear();
@@ -191,7 +191,9 @@ void SurfaceInsertion::CollectRim()
   }
 }
 
-/** Whether walls and rim close the space around the place, with all points that were in it. */
+/**
+ * Whether walls and rim close the space around the place, and contain all points of the old cells.
+ */
 bool SurfaceInsertion::FitsTogether() const
 {
   std::vector<Edge> edges;
@@ -320,7 +322,7 @@ bool SurfaceInsertion::FindOnEdge(const EdgeOfCell& edge)
 
 bool SurfaceInsertion::FindOnFacet(PieceOfCell piece, const Point& place)
 {
-  // The center of its circle is near or beyond a locked ridge, but for rounding.
+  // The center of the circle is, up to rounding, near or beyond a locked ridge.
   this->Met = EdgeOfCell();
   if (this->Surface.IsLocked(this->FacetOf(piece)))
   {

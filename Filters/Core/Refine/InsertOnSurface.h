@@ -17,7 +17,7 @@ struct PieceOfCell
   int Face; ///< across from this corner
 };
 
-/** An edge of facets, and a cell at it. */
+/** An edge of facets, and a cell at that edge. */
 struct EdgeOfCell
 {
   Edge Ends = { None, None };
@@ -25,11 +25,11 @@ struct EdgeOfCell
 };
 
 /**
- * Insertion of a point on facets that may be split: in the pieces of these whose circumcircle holds
- * it, and in the cells whose circumsphere does, as PointInsertion does it in the solid. So the
- * pieces of a facet that is split stay a Delaunay triangulation of it; where the surface is
- * remeshed only the pieces at an edge are halved. Rounding puts the point beside its facet: which
- * faces give way is known by the facet, and each new cell has a positive volume, exactly.
+ * Insertion of a point on facets that may be split. It replaces the pieces of these facets whose
+ * circumcircle contains the point, and the cells whose circumsphere does, as PointInsertion does in
+ * the solid. So the pieces of a split facet stay a Delaunay triangulation of it. On a remeshed
+ * surface only the pieces at an edge are halved. Rounding puts the point beside its facet: the
+ * facet determines which faces are removed, and each new cell has a positive volume, exactly.
  */
 class SurfaceInsertion
 {
@@ -46,16 +46,18 @@ public:
   bool FindOnEdge(const EdgeOfCell& edge);
 
   /**
-   * Find the cavity of a point in the plane of a piece. Where a ridge is between, this comes to it
-   * (Ridge) and no further.
+   * Find the cavity of a point in the plane of a piece. The search ends at a ridge in between
+   * (Ridge).
    */
   bool FindOnFacet(PieceOfCell piece, const Point& place);
 
-  /** The ridge that the last search came to; of None if it came to none. */
+  /** The ridge at which the last search ended; its Cell is None if there is none. */
   const EdgeOfCell& Ridge() const { return this->Met; }
 
-  /** A ridge around the cavity whose diametral ball contains the point; of None if there is
-   * none. */
+  /**
+   * A ridge around the cavity whose diametral ball contains the point; its Cell is None if there is
+   * none.
+   */
   EdgeOfCell Encroached() const;
 
   /** The squared distance to the nearest corner of the cavity. */
@@ -71,7 +73,7 @@ public:
   bool Insert(SizingField& sizes);
 
 private:
-  /** An edge around the pieces that are to be replaced, of one of them, in its direction. */
+  /** An edge around the replaced pieces, in the direction of one of them. */
   struct RimEdge
   {
     Id From;
@@ -100,7 +102,7 @@ private:
   RefinableSurface& Surface;
   SurfaceBound& Bound;
   EdgeOfCell Met;
-  Edge Halved;             ///< the edge whose middle the point is, if any
+  Edge Halved;             ///< the edge whose midpoint is inserted, if any
   std::size_t Certain = 0; ///< the pieces that contain the point
   std::vector<PieceOfCell> Pieces;
   std::vector<Triangle> Dropped; ///< these, sorted

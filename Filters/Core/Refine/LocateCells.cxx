@@ -11,7 +11,7 @@ namespace insideout
 {
 namespace
 {
-/** A longer walk is cyclic. */
+/** Limit of steps of a walk: longer ones are cyclic. */
 constexpr int MostSteps = 1000;
 
 /** Nanoseconds per walk, and per search in a tree. */
@@ -88,7 +88,7 @@ void CellLocator::Locate(const std::vector<Point>& places, std::vector<Id>& cell
   {
     return;
   }
-  // The solid is not convex: the way to the place may leave it.
+  // The solid is not convex: the straight way to the place may leave it.
   std::vector<Box> boxes;
   boxes.reserve(this->Mesh.Cells.size());
   for (const Tetrahedron& cell : this->Mesh.Cells)

@@ -27,9 +27,11 @@ constexpr double LongestConstraint = 4.0 / 3;
 constexpr double LargestSquaredRatio = 2;
 constexpr double GoodAngle = 20.7;
 
-/** Corners of the curve below the first angle, in degrees, get shells. Below the second all
- * triangles between shells stay thin: good ones would be as small as the corner is sharp, some
- * hundred for each power of two in length. */
+/**
+ * Corners of the curve below the first angle, in degrees, get shells. Below the second all
+ * triangles between shells stay thin: good ones would number some hundred for each power of two in
+ * length.
+ */
 constexpr double SharpCorner = 60;
 constexpr double SharpestCorner = 0.5;
 
@@ -46,16 +48,20 @@ constexpr double SameShell = 1e-6;
 constexpr double LeastSpacing = 0.7;
 constexpr double LeastHeight = 0.5;
 
-/** Kept: beside a long constraint either small triangles are flat or large ones stay. Wanted edge
- * lengths make no triangle with an angle below this, in degrees. */
+/**
+ * Kept: degrees. Wanted edge lengths make no triangle with an angle below this: beside a long
+ * constraint either small triangles are flat or large ones stay.
+ */
 constexpr double LeastAngleForLength = 10;
 
 /** Kept: triangles with edges this many times longer than wanted are counted and warned about. */
 constexpr double TooLong = 1.5;
 
-/** Limits of points, per input point and per cell that sizes require. They guard against two curves
- * side by side, whose gap would be filled with triangles as small as it. Long edges come first, so
- * that only small ones remain. */
+/**
+ * Limits of points, per input point and per cell that sizes require. They bound the triangles in a
+ * narrow gap between two curves, which would be as small as the gap. Long edges come first, so that
+ * only small ones remain.
+ */
 constexpr double PointsPerPoint = 400;
 constexpr double PointsPerCell = 4;
 
@@ -99,7 +105,7 @@ PlanarRefiner::PlanarRefiner(const SegmentComplex& curve, const PlanarMesh& mesh
   this->FindSharpCorners();
 }
 
-/** The lower of the names that an edge of the input has on its two sides. */
+/** The lower of the two ids that an edge of the input has, one for each side. */
 Id PlanarRefiner::InputEdge(Id source) const
 {
   const Id cell = source / 3;
@@ -359,7 +365,8 @@ void PlanarRefiner::LookAtConstraint(const Task& task)
 }
 
 /**
- * Split the constraints that a new point would be too near to. @return whether something was split
+ * Split the constraints that a new point would be too near to.
+ * @return whether any was split
  */
 bool PlanarRefiner::MakeWay(
   const Place& at, const PlanarPoint& center, double leastHalf, bool& isBlocked)

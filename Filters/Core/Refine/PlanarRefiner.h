@@ -15,9 +15,9 @@
 namespace insideout
 {
 /**
- * Ruppert's Delaunay refinement (1995) of the triangles inside a curve: too large or too thin
- * triangles get a point, the longest first (see RefineTriangles). Constraints are the boundary and
- * all segments at inside cells.
+ * Ruppert's Delaunay refinement (1995) of the triangles inside a curve: it inserts points into
+ * triangles that are too large or too thin, the longest first (see RefineTriangles). Constraints
+ * are the boundary and all segments at inside cells.
  */
 class PlanarRefiner
 {
@@ -26,7 +26,7 @@ public:
     const std::vector<unsigned char>& inside, const Plane& plane,
     const RefinementParameters& parameters, Monitor& monitor);
 
-  /** @throws Error TooLarge when there would be more cells than can be counted, Stopped */
+  /** @throws Error TooLarge if there would be more cells than can be counted, Stopped */
   void Run();
 
   const RefinableTriangles& Result() const { return this->Mesh; }
@@ -37,7 +37,7 @@ public:
   /** Number of triangles with an edge much longer than wanted. */
   Id CountLongCells() const;
 
-  /** Whether only its budget of points ended it. */
+  /** Whether the limit of points stopped it. */
   bool RanOut() const { return this->HasRunOut; }
 
   /** Number of points inserted on constraints. */

@@ -12,8 +12,8 @@ namespace insideout
 namespace
 {
 /**
- * Limit of the ring's length: all triangulations of longer rings take long, and hardly any
- * improves.
+ * Limit of the ring's length: longer rings have too many triangulations, and hardly any improves
+ * the cells.
  */
 constexpr int LongestRing = 9;
 
@@ -82,7 +82,7 @@ bool Reconnection::TurnDiagonal()
     const Triangle corners = { { a, b, c } };
     return SurfacePiece{ corners, CornersOf(this->Mesh.Points, corners), facet };
   };
-  // Counter-clockwise seen from within, from the cells (U, V, first, second).
+  // Counter-clockwise seen from the cells (U, V, first, second).
   this->GonePieces = { piece(ring.U, ring.V, first, ring.EndFacets[0]),
     piece(ring.V, ring.U, last, ring.EndFacets[1]) };
   this->FreshPieces = { piece(first, last, ring.V, ring.EndFacets[0]),

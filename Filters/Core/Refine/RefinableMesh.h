@@ -12,7 +12,7 @@ struct SolidPolicy
   struct Content
   {
     Id Region;
-    Id Parent;  ///< a cell of the input near it
+    Id Parent;  ///< a cell of the input near this cell
     Id Version; ///< number of times that a cell of this id has been replaced
   };
   static constexpr bool HasBoundary = true;

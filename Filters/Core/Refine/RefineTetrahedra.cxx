@@ -251,7 +251,7 @@ Id CountSurfacePoints(const RefinableMesh& mesh, std::size_t before)
   return count;
 }
 
-/** Lengths wanted at the points of a result, but for arrays of the input's points. */
+/** Lengths wanted at the points of a result, except those given by arrays at the input's points. */
 std::vector<double> LengthsByRules(
   const RefinedMesh& result, const std::vector<Id>& regions, const SizingParameters& sizes)
 {
@@ -337,7 +337,7 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   return result;
 }
 
-/** Regions from 0, in the order of their numbers: None is the outside. */
+/** The regions renumbered from 0, in ascending order; None is the outside. */
 std::vector<Id> NumberedAnew(std::vector<Id> regions)
 {
   std::vector<Id> sorted = regions;
@@ -349,7 +349,7 @@ std::vector<Id> NumberedAnew(std::vector<Id> regions)
   return regions;
 }
 
-/** Not 0, which has a special meaning, unless the size is 0. */
+/** Avoid underflow to 0, which has a special meaning. */
 double ScaledSize(double size, int exponent)
 {
   return size > 0 ? std::max(std::ldexp(size, exponent), std::numeric_limits<double>::min()) : 0;

@@ -16,11 +16,13 @@ struct RefinementParameters
   SizingParameters Sizes;
   SurfaceTreatment Surface = SurfaceTreatment::Kept;
 
-  /** Kept: whether another treatment could be chosen, and is advised. */
+  /** Kept: whether messages advise another treatment. */
   bool CouldBeTreated = true;
 
-  /** Kept: whether the caller takes another treatment where needles leave cells that a solver
-   * refuses. */
+  /**
+   * Kept: whether the caller chooses another treatment where needles leave cells that a solver
+   * refuses.
+   */
   bool TreatsNeedles = false;
 
   /** Limit of the estimated number of cells: beyond it nothing is refined; 0: no limit. */
@@ -58,8 +60,10 @@ struct RefinedMesh
   /** Per point, an input cell that contains it, or is near it. */
   std::vector<Id> CellsOfPoints;
 
-  /** Per point, the length that is wanted there, but for arrays of the input's points; infinite for
-   * none. Empty where no rules are given. */
+  /**
+   * Per point, the length that is wanted there, except by arrays at the input's points; infinite
+   * for none. Empty without rules.
+   */
   std::vector<double> LengthsByRules;
 
   insideout::Statistics Statistics;

@@ -17,7 +17,7 @@ namespace
 struct Angles
 {
   double Least = 0;
-  double Quantile = 0; ///< the least value with at least a hundredth of all at or below it
+  double Quantile = 0; ///< the value that a hundredth of all values do not exceed
   double Most = 0;
 };
 
@@ -60,7 +60,7 @@ public:
     this->Sides = FindRegions(neighbors, inside, monitor, { Stages::Refining, 0.8, 0.85 });
   }
 
-  /** The other cell itself, if rounding has put the place beside all of them. */
+  /** The nearest cell itself, if rounding put the place outside all of them. */
   Id Find(const PlanarPoint& place, Id near) const
   {
     const Id found = this->Locator.Find(
@@ -73,7 +73,7 @@ private:
   SolidRegions Sides;
 };
 
-/** The points that cells use, and the cells with these. */
+/** Copy the points that cells use, and the cells with these. */
 void TakeCells(const SegmentComplex& curve, const RefinableTriangles& mesh, const InputCells& cells,
   RefinedTriangles& result)
 {
@@ -115,7 +115,7 @@ void TakeCells(const SegmentComplex& curve, const RefinableTriangles& mesh, cons
   }
 }
 
-/** The pieces of segments that edges of cells are, each once. */
+/** Copy the pieces of segments that are edges of cells, each once. */
 void TakeSegments(const SegmentComplex& curve, const PlanarMesh& input,
   const RefinableTriangles& mesh, RefinedTriangles& result)
 {

@@ -29,7 +29,7 @@ const Word Words[] = {
 
 SizeRule ReadRule(const std::string& text)
 {
-  const std::size_t equals = text.rfind('='); // names may have one, too
+  const std::size_t equals = text.rfind('='); // names may contain "=", too
   const auto [head, tail] = SplitHead(Trimmed(text.substr(0, equals)));
   const auto* const word = std::find_if(std::begin(Words), std::end(Words),
     [&head = head](const Word& one) { return one.Text == head; });

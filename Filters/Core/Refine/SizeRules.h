@@ -17,7 +17,7 @@ struct SizeRule
     Gap,       ///< cells across a wall, between facets that face each other
     Tag,       ///< length on the facets of a label
     Region,    ///< length within a region
-    Point      ///< length at a point, and nearer to it than the radius
+    Point      ///< length at a point, and within the radius around it
   };
   Kind What;
   double Value;

@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** A length asked for on a triangle, which may be a segment or a point, and within its reach. */
+/** A length asked for on a triangle, a segment or a point, and within a distance of it. */
 struct SizeSource
 {
   std::array<Point, 3> Corners;
@@ -16,7 +16,7 @@ struct SizeSource
   double Reach = 0;
 };
 
-/** Lengths anywhere: those of sources, growing with the distance, so that neighbors are alike. */
+/** Lengths at any place: the least over the sources, each growing with distance. */
 class SizeSources
 {
 public:
@@ -27,7 +27,7 @@ public:
   double LengthAt(const Point& place) const;
 
 private:
-  /** Sources whose lengths differ by a factor of two at most. */
+  /** Sources whose lengths differ at most by a factor of two. */
   struct Octave
   {
     double Shortest;

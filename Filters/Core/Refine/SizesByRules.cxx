@@ -53,7 +53,7 @@ void AddTag(const std::vector<FacetOfInput>& facets, const std::vector<std::arra
   }
 }
 
-/** Lengths of regions go on beyond their boundaries. */
+/** Lengths of regions extend beyond their boundaries. */
 void AddRegions(const std::vector<FacetOfInput>& facets, const std::vector<double>& ofCell,
   std::vector<SizeSource>& sources)
 {

@@ -9,11 +9,12 @@
 namespace insideout
 {
 /**
- * The sizing with the lengths that its rules ask for (LengthAt, LengthOfRegion). They grow with the
- * distance by Grading, from the boundary of a region on, too; the least length counts.
+ * The sizing with the lengths that its rules ask for (LengthAt, LengthOfRegion). They grow with
+ * distance by Grading, also from the boundary of a region; the least length applies.
  *
  * @param[in] regions one per cell, numbered from 0; empty: all are one
  * @param[in] facets of the mesh
+ *
  * @throws Error Stopped
  */
 SizingParameters SizesByRules(const TetrahedralMesh& mesh, const std::vector<Id>& regions,

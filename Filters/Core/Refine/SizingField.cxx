@@ -30,8 +30,8 @@ constexpr double LeastShare = 1.0 / 4;
 constexpr double MostHeights = 2;
 
 /**
- * Cells are halved for the estimate until they are no longer than this, in lengths there; into this
- * number of parts at most, a limit of work.
+ * For the estimate, cells are halved until their longest edge is at most this multiple of the
+ * length there. The second limits the number of parts in all, to bound the work.
  */
 constexpr double LongestPart = 4;
 constexpr double MostParts = 1 << 20;

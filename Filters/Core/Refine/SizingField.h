@@ -19,16 +19,19 @@ struct SizingParameters
   /** Wanted length anywhere, infinite for no limit; empty: nowhere. */
   std::function<double(const Point&)> LengthAt;
 
-  /** Lengths by geometry, tag and region, which SizesByRules turns into those below and LengthAt;
-   * those of regions are in LengthOfCell. */
+  /**
+   * Lengths by geometry, tag and region, which SizesByRules turns into LengthAt and LengthOfCell.
+   */
   std::vector<SizeRule> Rules;
 
-  /** Wanted length within each input cell, infinite for none, the same in a region; empty: none. */
+  /**
+   * Wanted length within each input cell, infinite for none, equal within a region; empty: none.
+   */
   std::vector<double> LengthOfCell;
 
-  std::vector<double> LengthOfRegion; ///< the same for regions by number
+  std::vector<double> LengthOfRegion; ///< the same per region
 
-  /** Whether the surface's own lengths hold, too, where they are shorter than the wanted ones. */
+  /** Whether the surface's own edge lengths apply where they are shorter than the wanted ones. */
   bool KeepsShorterEdges = false;
 };
 
@@ -80,7 +83,7 @@ public:
   double EstimatedCells() const;
 
 private:
-  /** The length that the surface allows, the wanted one, and the part of that by array. */
+  /** The length that the surface allows, the wanted one, and the one given by an array. */
   struct Lengths
   {
     double Surface;

@@ -27,8 +27,8 @@ Corners With(Corners corners, Id point, Id instead)
 } // namespace
 
 /**
- * Halves of a piece are half as high above a longer edge: if only the other edges were split, again
- * and again, pieces would become ever flatter.
+ * Half of a piece has half its height above the longer edge. If only the other edges were split
+ * repeatedly, pieces would become ever flatter.
  */
 bool EdgeSplitting::IsBesideLonger() const
 {

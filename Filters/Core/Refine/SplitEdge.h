@@ -22,8 +22,8 @@ public:
 
   /**
    * Find the cells around an edge of `cell`.
-   * @return false if it is locked, a piece at it has a much longer edge, or rounding leaves no room
-   * between its ends or puts its middle beyond another piece
+   * @return false if the edge is locked or a piece at it has a much longer edge; also if rounding
+   * leaves no point between its ends, or puts its midpoint beyond another piece
    */
   bool Find(Id u, Id v, Id cell);
 

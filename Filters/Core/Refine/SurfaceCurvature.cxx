@@ -15,7 +15,10 @@ namespace insideout
 {
 namespace
 {
-/** Rounding of coordinates to floats, of which files are made: some units in the last place. */
+/**
+ * Relative rounding error of coordinates in floats, as files store them: some units in the last
+ * place.
+ */
 constexpr double RoundingOfFloats = 4.0 / (1 << 24);
 
 /** An edge where two facets meet without a corner. */
@@ -26,7 +29,7 @@ struct SmoothEdge
   double Signed; ///< angle between the normals, positive where it is convex
 };
 
-/** What a facet knows of itself. */
+/** The normal, area and smooth edges of a facet. */
 struct FlatFacet
 {
   Point Normal; ///< of unit length, or 0
@@ -88,7 +91,7 @@ public:
       }
     }
     const double most = featureAngle * std::acos(-1.0) / 180;
-    for (std::size_t f = 0; f < facets.size(); ++f) // in this order, for sums to be reproducible
+    for (std::size_t f = 0; f < facets.size(); ++f) // in this order, to make sums reproducible
     {
       const Triangle corners = CornersIn(mesh, facets[f]);
       for (int k = 0; k < 3; ++k)
@@ -124,7 +127,7 @@ public:
         {
           const double u = Dot(edge.Along, x) / length;
           const double v = Dot(edge.Along, y) / length;
-          const double half = edge.Signed * length / 2; // the other half is the neighbor's
+          const double half = edge.Signed * length / 2; // the other half counts for the neighbor
           sum.XX += half * u * u;
           sum.XY += half * u * v;
           sum.YY += half * v * v;

@@ -10,8 +10,8 @@ namespace insideout
 {
 /**
  * The least radius of curvature at each facet, from the angles at its edges and those of its
- * neighbors (normal cycles; Cohen-Steiner and Morvan 2003). Infinite where it is flat, within the
- * rounding of coordinates to floats.
+ * neighbors (normal cycles; Cohen-Steiner and Morvan 2003). Infinite where the surface is flat, up
+ * to rounding of coordinates to floats.
  *
  * @param[in] featureAngle in degrees: edges above it are corners of the surface, which do not count
  */

@@ -17,7 +17,7 @@ constexpr double LeastCosine = 0.4;
 /** Least height over longest edge: thinner pieces of a surface may fold over by rounding. */
 constexpr double LeastHeight = 1e-6;
 
-/** Whether a piece's normal is roughly along a direction, and the piece is not too thin to tell. */
+/** Whether a piece's normal roughly follows a direction, and the piece is thick enough to tell. */
 bool LooksWhere(const SurfacePiece& piece, const Point& normal)
 {
   const Point own = NormalOf(piece);

@@ -21,14 +21,16 @@ Point NormalOf(const SurfacePiece& piece);
 /** Whether a triangle is so thin that it may fold over by rounding. */
 bool IsThin(const std::array<Point, 3>& triangle);
 
-/** Whether coplanar pieces, all seen from one side, face a normal's direction. For flat cells their
- * signs decide nothing. */
+/**
+ * Whether coplanar pieces, all seen from one side, face a normal's direction. Signs of thin pieces
+ * are rounding errors and do not count.
+ */
 bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal);
 
-/** Whether all fresh pieces face the way of the gone ones together. */
+/** Whether all fresh pieces face the same way as the gone ones together. */
 bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
 
-/** Whether each fresh piece faces the way of the one it replaces. */
+/** Whether each fresh piece faces the same way as the one it replaces. */
 bool EachLooksAlike(
   const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh);
 

@@ -48,7 +48,9 @@ public:
     return this->LargestDistanceOf(triangle, { Precision * enough, known }, hint, 0);
   }
 
-  /** Whether no point of a triangle is farther than that; false if deciding it would take long.
+  /**
+   * Whether no point of a triangle is farther than `distance`; false if the decision would take
+   * long.
    * @param[in] ofCorners the nearest points of its label to the corners
    */
   bool IsWithin(const LabelledTriangle& triangle, double distance,

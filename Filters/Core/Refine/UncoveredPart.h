@@ -27,7 +27,7 @@ public:
 
   bool IsEmpty() const { return this->Parts.empty() && this->HasNormal; }
 
-  /** Whether too many polygons remain for continuing to pay off. */
+  /** Whether so large a number of polygons remains that continuing does not pay off. */
   bool IsHopeless() const { return !this->HasNormal || this->Parts.size() > MostParts; }
 
 private:

@@ -18,8 +18,10 @@ namespace
 /** Facets whose planes include at most an angle of this cosine face each other: 45 degrees. */
 const double LeastCosineFacing = std::sqrt(0.5);
 
-/** Facets together are halved into this number of parts at most: a limit of work and memory on thin
- * sheets. Larger parts measure the thickness at fewer places. */
+/**
+ * Limit of the parts into which all facets are halved, for work and memory on thin sheets. Fewer
+ * and larger parts measure the thickness at fewer places.
+ */
 constexpr double MostParts = 1 << 17;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
@@ -90,7 +92,7 @@ private:
     }
   }
 
-  /** The way from the center of a part to a facet that faces it; else infinite. */
+  /** The distance from the center of a part to a facet that faces it; else infinite. */
   double ThicknessAt(const std::array<Point, 3>& t) const
   {
     Point center;
@@ -121,7 +123,10 @@ private:
   Point Inward = { { 0, 0, 0 } };
 };
 
-/** Only the thinnest of the small parts of like thickness in each cube of a quarter of that. */
+/**
+ * The large parts, and the thinnest of the small parts in each cube. Cubes have a quarter of the
+ * parts' thickness, rounded to a power of two.
+ */
 std::vector<WallPart> WithoutCrowds(const std::vector<WallPart>& walls)
 {
   std::vector<WallPart> kept;

@@ -10,7 +10,7 @@
 
 namespace insideout
 {
-/** A part of a facet, halfway to the one that faces it. */
+/** A part of a facet, shifted halfway to the facet that faces it. */
 struct WallPart
 {
   std::array<Point, 3> Middle;
@@ -18,10 +18,10 @@ struct WallPart
 };
 
 /**
- * The walls of a solid and of its regions: for parts of each facet the way straight to a facet that
- * faces it. Parts are no larger than the wall is thick, up to some hundred thousand parts in all;
- * many small ones near each other are replaced by the thinnest. Facets that share a point, as at
- * the tip of a wedge, make no wall.
+ * The walls of a solid and of its regions: for parts of each facet, the straight way to a facet
+ * that faces it. Parts are no larger than the wall's thickness, up to some hundred thousand parts
+ * in all. A crowd of small parts is replaced by the thinnest of them. Facets that share a point, as
+ * at the tip of a wedge, make no wall.
  *
  * @throws Error Stopped
  */

@@ -205,7 +205,9 @@ private:
     return CGAL::orientation(this->At(a), this->At(b), this->At(c), this->At(d));
   }
 
-  /** Whether a corner of the tetrahedron is as near to the opposite face as rounding may move it.
+  /**
+   * Whether a corner of the tetrahedron is so close to the opposite face that rounding may have
+   * moved it there.
    */
   bool IsFlat(Id a, Id b, Id c, Id d) const
   {

@@ -13,23 +13,26 @@ namespace insideout
 enum class TetrahedralizationEngine
 {
   Automatic, ///< exact flips and cuts, then TetGen if facets are lost; the mesh that loses fewest
-  Exact,     ///< this house's own (ExactTetrahedralization.h), in this process
+  Exact,     ///< this project's own (ExactTetrahedralization.h), in this process
   TetGen     ///< TetGen alone
 };
 
 /** The engine and its budgets. When a budget is used up, the next rung starts. */
 struct ConstrainedDelaunayParameters
 {
-  /** Wall-clock seconds for all rungs, an equal part for each. With 0 there is no clock: the exact
+  /**
+   * Wall-clock seconds for all rungs, an equal part for each. With 0 there is no clock: the exact
    * rung counts its work (TetrahedralizeExactly), so that the same input gives the same mesh
-   * however busy the machine is. TetGen's process, which may loop and whose work cannot be counted,
-   * then has 4 s of processor time for each rung, and 0.3 ms for each point and facet: many times
-   * what it needs where it does not loop. */
+   * however busy the machine is. TetGen's process may loop, and its work cannot be counted. It then
+   * has 4 s of processor time per rung, and 0.3 ms per point and facet: many times its usual need.
+   */
   double TimeBudget = 0;
 
-  /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
-   * but at most three quarters of the machine's memory. Enforced for TetGen's process, not for the
-   * exact rung. */
+  /**
+   * MiB. 0 stands for 1024, plus 16 KiB per point and facet (five times TetGen's usual memory), but
+   * at most three quarters of the machine's memory. Enforced for TetGen's process, not for the
+   * exact rung.
+   */
   double MemoryBudget = 0;
 
   TetrahedralizationEngine Engine = TetrahedralizationEngine::Automatic;
@@ -40,8 +43,9 @@ struct Tetrahedralization
 {
   TetrahedralMesh Mesh;
   int Rung = 0; ///< that the mesh comes from, counted from 1 (RungName in Ladder.h)
-  std::vector<std::string> Failures; ///< why the other rungs that ran were not good enough
-  /// number of hulls (TetrahedralizeApart.h); with several, Rung is the last rung that any took
+  std::vector<std::string>
+    Failures; ///< reasons of the failed rungs number of hulls (TetrahedralizeApart.h); with
+              ///< several, Rung is the last rung that any took
   Id Parts = 1;
 };
 
@@ -81,7 +85,9 @@ TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monito
 /** Where the mesh comes from and its sizes, for `statistics`. */
 void AddMeshCounts(const Tetrahedralization& result, Statistics& statistics);
 
-/** List in a line each the rungs that failed with their reasons, and the rung the mesh comes from;
- * empty when the first rung sufficed. */
+/**
+ * List the failed rungs with their reasons, a line each, and the rung that the mesh comes from;
+ * empty if the first rung sufficed.
+ */
 void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& warnings);
 } // namespace insideout

@@ -7,13 +7,13 @@
 namespace insideout
 {
 /**
- * The Delaunay tetrahedra of points alone (CGAL's, with exact predicates; cospherical points as
- * CGAL's symbolic perturbation decides, which leaves no flat cell). The first of coincident points
- * is used. Cells are sorted, so that the same points give the same answer.
+ * The Delaunay tetrahedra of points alone (CGAL's, with exact predicates; its symbolic perturbation
+ * decides for cospherical points and leaves no flat cell). The first of coincident points is used.
+ * Cells are sorted, so that the same points give the same answer.
  *
  * @param[in] points at least four that are not in one plane
- * @param[in] mebibytes memory that the tetrahedra may take: few points have many, in unlucky places
- *            one for each pair of points
+ * @param[in] mebibytes limit of the memory for tetrahedra: in unlucky positions their number is
+ * quadratic in that of the points
  * @return cells, with no point added and no face marked
  * @throws Error TetrahedralizerFailed beyond the memory, Stopped
  */

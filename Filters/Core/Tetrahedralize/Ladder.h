@@ -20,8 +20,8 @@ std::vector<int> RungsOf(TetrahedralizationEngine engine);
  * Tetrahedralize by one rung, and check the result (AssembleMesh).
  *
  * @param[in] surface as for ConstrainedDelaunay
- * @throws Error TetrahedralizerDied, TetrahedralizerFailed, Inconsistent or TooLarge where another
- *         rung may do better; Stopped
+ * @throws Error TetrahedralizerDied, TetrahedralizerFailed, Inconsistent or TooLarge if another
+ * rung may succeed; Stopped
  */
 TetrahedralMesh TryRung(
   int rung, const FacetComplex& surface, const TetrahedralizerBudget& budget, Monitor& monitor);

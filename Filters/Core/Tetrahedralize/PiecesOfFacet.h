@@ -19,12 +19,12 @@ struct PiecesOfFacet
 
 /**
  * Turn the pieces so that they agree with each other and with the facet, and prove that their
- * signed edges sum to its boundary: no edge has more than two pieces, and the edges of one piece
- * form one loop through the three corners in their order. No coordinates are used: where points
- * were rounded, the orientation of a sliver means nothing.
+ * signed edges sum to its boundary: no edge belongs to more than two pieces, and the edges of only
+ * one piece form one loop through the three corners in their order. No coordinates are used: where
+ * points were rounded, the orientation of a sliver means nothing.
  *
  * @param[in] pieces triangles of three different points each
- * @param[out] result unspecified where the answer is no
+ * @param[out] result unspecified if the pieces are not the facet
  * @return whether the pieces are the facet
  */
 bool MatchPiecesOfFacet(
@@ -32,11 +32,11 @@ bool MatchPiecesOfFacet(
 
 /**
  * The origin of a point that interpolates corners, each of which interpolates input points itself:
- * the weights multiplied and summed by input point. PointOrigin holds at most three input points;
- * beyond them, the origin is that of the corner with the largest weight (or that corner itself, if
- * it is an input point).
+ * the weights are multiplied, and summed by input point. PointOrigin holds at most three input
+ * points. If there are more, the origin is that of the corner with the largest weight, or that
+ * corner itself if it is an input point.
  *
- * @param[in] corners origins of the corners, none from nowhere
+ * @param[in] corners origins of the corners
  * @param[in] weights at least 0, sum 1
  */
 PointOrigin ComposeOrigin(

@@ -16,8 +16,8 @@ namespace insideout
 namespace
 {
 /**
- * A Steiner point farther than this, times the mesh's size, from the facet that its piece belongs
- * to is not a rounded point on it; the facet counts as lost.
+ * Limit, relative to the mesh's size, of the distance between a rounded Steiner point and the facet
+ * that its piece belongs to. If one is farther, the facet counts as lost.
  */
 constexpr double LargestRounding = 1e-12;
 

@@ -13,8 +13,8 @@ namespace insideout
  * match. A facet that is found neither way goes to LostFacets, and no face carries it. The Steiner
  * points on facets are counted and get their Origins, from the lowest facet that has them.
  *
- * @param[in] markedFaces faces that are said to be pieces of facets; one that is no face of the
- * mesh loses its facet
+ * @param[in] markedFaces faces reported as pieces of facets; the facet of one that is no face of
+ * the mesh is lost
  * @param[in] facetOfMarkedFaces one per marked face
  * @param[in,out] mesh with Points, Cells and Origins of the complex's points
  */

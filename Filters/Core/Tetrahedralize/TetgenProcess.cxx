@@ -34,13 +34,13 @@ using Clock = std::chrono::steady_clock;
 constexpr int MillisecondsBetweenChecks = 50;
 /** Time that a helper has to end after closing its output before it is killed. */
 constexpr std::chrono::seconds GraceToEnd(1);
-/** Memory allocated ahead of the data received, whatever length the answer claims. */
+/** Memory allocated ahead of the received data, regardless of the length that the answer claims. */
 constexpr std::size_t LargestLeap = std::size_t(1) << 24;
 /** TetGen's usual time per point and facet; for the progress bar only. */
 constexpr double SecondsPerElement = 1e-5;
 /**
- * Least share of a processor (1 / this) that a running helper uses; below it, it waits for
- * something that never comes.
+ * Inverse of the least share of a processor that a running helper uses: below it, the helper is
+ * blocked.
  */
 constexpr double MostSecondsPerProcessorSecond = 100;
 

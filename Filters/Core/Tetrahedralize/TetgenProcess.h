@@ -16,21 +16,21 @@ enum class SurfaceSteinerPoints
 };
 
 /**
- * Run TetGen on points and facets in a process of its own, the program insideout-tetgen: the one
- * that the environment variable INSIDEOUT_TETGEN names, else libexec/insideout-tetgen in the folder
- * of this code's library or program, or in one of the five folders above it. TetGen cannot harm the
- * caller. No process, file, descriptor or signal handler is left behind, even if the caller is
- * killed: the helper ends with it. Thread-safe.
+ * Run TetGen on points and facets in a process of its own, the program insideout-tetgen. The
+ * environment variable INSIDEOUT_TETGEN may name it. Otherwise it is libexec/insideout-tetgen in
+ * the folder of this code's library or program, or in one of the five folders above it. TetGen
+ * cannot harm the caller. No process, file, descriptor or signal handler is left behind: the helper
+ * ends even if the caller is killed. Thread-safe.
  *
- * The monitor is asked every 50 ms. When it says stop, or the budget is used up, the helper is
- * killed and reaped. An answer of more bytes than the memory budget is refused before it is read.
+ * The monitor is called every 50 ms. When it stops, or the budget is used up, the helper is killed
+ * and reaped. An answer larger than the memory budget is refused before it is read.
  *
  * @param[in] points at least 4, finite
  * @param[in] facets ids in range
- * @return as many points as were sent and then Steiner points; ids are in range, coordinates and
- * all else unchecked
- * @throws Error TetrahedralizerDied, TetrahedralizerFailed (TetGen says so, or the budget is used
- *         up), TooLarge, Stopped
+ * @return the points sent, then Steiner points; ids are in range, coordinates and the rest
+ * unchecked
+ * @throws Error TetrahedralizerDied, TetrahedralizerFailed (TetGen reports it, or the budget is
+ * used up), TooLarge, Stopped
  */
 RawTetrahedra RunTetgen(const std::vector<Point>& points, const std::vector<Triangle>& facets,
   SurfaceSteinerPoints steiner, const TetrahedralizerBudget& budget, Monitor& monitor);

@@ -11,7 +11,7 @@ namespace insideout
  * of one part becomes the same mesh, bit by bit.
  *
  * Points are the complex's in their order, then the Steiner points of one part after the other, as
- * the cells are. Rung is the lowest on the ladder that a part took; reasons of failed rungs name
+ * the cells are. Rung is the last one on the ladder that a part took; reasons of failed rungs name
  * the part by one of its input points. A time budget is divided among the parts by their facets;
  * the memory budget holds for each part.
  *
