@@ -14,13 +14,13 @@ namespace insideout
 {
 namespace
 {
-/** 1 where a region is behind a triangle, -1 where it is before it, 0 where it is neither. */
+/** 1 if a region is behind a triangle, -1 if it is in front of it, 0 if it is neither. */
 int SideOf(Id region, const Sides& sides)
 {
   return sides[0] == region ? 1 : sides[1] == region ? -1 : 0;
 }
 
-/** Which triangles agree: those given, and as many more that stand for them turned over. */
+/** The triangles that agree: the given ones, and a copy of each that represents it turned over. */
 class Agreements
 {
 public:
@@ -30,7 +30,7 @@ public:
   {
   }
 
-  /** Unless they are known to differ. */
+  /** Join two triangles, unless they are known to disagree. */
   void Join(Id a, Id b, bool turned)
   {
     const Id other = turned ? b + this->Count : b;
@@ -42,13 +42,13 @@ public:
     }
   }
 
-  /** The lowest triangle that one agrees with, as it is or turned over. */
+  /** The lowest triangle with which one agrees, as it is or turned over. */
   Id LowestOf(Id triangle)
   {
     return std::min(this->Sets.Find(triangle), this->Sets.Find(triangle + this->Count));
   }
 
-  /** Whether it agrees with that one when it is turned over. */
+  /** Whether it agrees with that one only when turned over. */
   bool IsTurned(Id triangle)
   {
     return this->Sets.Find(triangle) > this->Sets.Find(triangle + this->Count);
@@ -59,7 +59,7 @@ private:
   DisjointSets Sets;
 };
 
-/** Join the triangles at an edge that are the only two there beside some region. */
+/** Join the triangles at an edge that are the only two there that bound some region. */
 void JoinAtEdge(const FacetEdge* first, const FacetEdge* last, const std::vector<Sides>& sides,
   Agreements& agreements)
 {
@@ -81,11 +81,11 @@ void JoinAtEdge(const FacetEdge* first, const FacetEdge* last, const std::vector
   }
 }
 
-/** Triangles that agree, and what they say. */
+/** A group of agreeing triangles and its regions. */
 struct Group
 {
   std::vector<Id> Triangles;
-  std::map<Id, std::vector<BoundaryTriangle>> Around; ///< of each region, turned outward
+  std::map<Id, std::vector<BoundaryTriangle>> Around; ///< per region, its triangles, turned outward
   Id Turned = 0;
 };
 
@@ -102,7 +102,7 @@ bool IsInsideOut(const Group& group, const std::vector<Point>& points)
     const double volume = VolumeWithin(points, triangles);
     outer = std::abs(volume) > std::abs(outer) ? volume : outer;
   }
-  return outer > 0; // what lies outside is as large as all others, and counts negative
+  return outer > 0; // the outermost is as large as all others together, and negative
 }
 } // namespace
 

@@ -9,13 +9,14 @@ namespace insideout
 using Sides = std::array<Id, 2>;
 
 /**
- * Turn triangles over that disagree with their neighbors about what is on which side. Exactly two
- * triangles at an edge that bound a region have it on matching sides. The majority of triangles
- * that agree so keep their sides. A group that bounds three regions or more is decided by the
- * region around all others, which its volume identifies.
+ * Turn triangles over that disagree with their neighbors about the regions on their sides. If
+ * exactly two triangles at an edge bound a region, they agree when the region is on matching sides.
+ * The majority of each group of agreeing triangles keeps its sides. A group that bounds three
+ * regions or more is decided by its outermost region, which its volume identifies.
  *
- * Some programs sort the two labels of a triangle and leave its corners as they are, as versions of
- * vtkSurfaceNets3D do (VTK issue 19156). The triangles around a region then run both ways.
+ * Some programs sort the two labels of a triangle without changing its corners, as some versions of
+ * vtkSurfaceNets3D do (VTK issue 19156). The triangles around a region are then oriented
+ * inconsistently.
  *
  * @param[in] sides one pair per triangle, of two different regions
  * @return 1 for triangles to be turned over, else 0

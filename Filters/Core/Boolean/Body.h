@@ -20,20 +20,23 @@ struct Body
 /** A surface as the only body, without a name. */
 std::vector<Body> OneBody(TriangleSoup soup);
 
-/** Whether there are several, or one with a name. */
+/** Whether there are several bodies, or one with a name. */
 inline bool AreNamed(const std::vector<Body>& bodies)
 {
   return bodies.size() != 1 || !bodies.front().Name.empty();
 }
 
-/** A surface by itself, its points numbered from `firstPoint` on and its triangles alike. */
+/**
+ * A body from a surface; its points are numbered from `firstPoint` on, and its triangles from
+ * `firstTriangle`.
+ */
 Body MakeBody(std::string name, TriangleSoup soup, Id firstPoint, Id firstTriangle);
 
 /**
  * The bodies of one surface. Points and triangles keep their numbers.
  *
  * @param[in] bodyOfTriangle one per triangle: the index of its body in `names`
- * @throws Error InvalidParameter where a body is out of range; PointOutOfRange
+ * @throws Error InvalidParameter if a body is out of range; PointOutOfRange
  */
 std::vector<Body> SplitBodies(const TriangleSoup& soup, const std::vector<Id>& bodyOfTriangle,
   const std::vector<std::string>& names);

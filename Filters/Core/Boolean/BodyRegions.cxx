@@ -75,7 +75,7 @@ BodyRegions RegionsOfAll(
   return result;
 }
 
-/** The bodies nested in each body: their cells are all cells of that body, which has more. */
+/** Per body, the bodies nested in it: it has all their cells, and more. */
 std::vector<std::vector<Id>> FindNested(const std::vector<std::vector<unsigned char>>& inside)
 {
   std::vector<std::size_t> cells(inside.size(), 0);

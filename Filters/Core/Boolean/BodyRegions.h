@@ -32,7 +32,7 @@ struct BodyRegions
 std::vector<Id> PriorityOf(
   const std::vector<std::string>& bodies, const std::vector<std::string>& first);
 
-/** In which order bodies count on a mesh, and why. */
+/** The order in which bodies count on a mesh, and its reasons. */
 struct BodyOrder
 {
   std::vector<Id> Priority;            ///< from the highest priority on
@@ -42,28 +42,28 @@ struct BodyOrder
 };
 
 /**
- * The given order, except that of two nested bodies without a name the inner one counts first. A
+ * The given order, except that the inner one of two nested bodies without a name counts first. A
  * body is nested in another one that has all its cells, and more. Bodies with the same cells keep
  * their order.
  *
- * @param[in] inside of each body, not 0 for the cells that it has
+ * @param[in] inside per body and cell, not 0 if the body has the cell
  */
 BodyOrder InnerFirst(const std::vector<std::vector<unsigned char>>& inside,
   const std::vector<Id>& given, std::size_t named);
 
 /**
- * The region of each cell. With Priority, regions have the numbers of the bodies, including bodies
- * that are wholly covered; so some may have no cell. With All they are numbered by their bodies in
- * the order of dictionaries: {0}, {0, 1}, {0, 1, 2}, {0, 2}, {1}, ...
+ * The region of each cell. With Priority, regions have the numbers of the bodies, including fully
+ * covered ones, so some may have no cell. With All they are numbered by their bodies in
+ * lexicographic order: {0}, {0, 1}, {0, 1, 2}, {0, 2}, {1}, ...
  *
- * @param[in] inside of each body, not 0 for the cells that it has
- * @param[in] priority all bodies in the order in which they count; All needs none
+ * @param[in] inside per body and cell, not 0 if the body has the cell
+ * @param[in] priority all bodies in the order in which they count; unused for All
  * @throws Error Stopped
  */
 BodyRegions FindBodyRegions(const std::vector<std::vector<unsigned char>>& inside, RegionRule rule,
   const std::vector<Id>& priority, Monitor& monitor, const ProgressRange& progress);
 
-/** The names of regions: by their bodies, joined by "+" where these are several. */
+/** The names of regions: those of their bodies, joined by "+". */
 std::vector<std::string> NamesOfRegions(
   const BodyRegions& regions, const std::vector<std::string>& bodies);
 } // namespace insideout

@@ -28,7 +28,7 @@ BodySegmentation Segment(const ResolvedBodies& bodies, const std::vector<std::st
   return SegmentBodies(mesh, toSegment, {}, monitor);
 }
 
-/** Whether all facets lie in one plane, where no body has a volume. */
+/** Whether all facets lie in one plane, so that no body has a volume. */
 bool ArePlanar(const FacetComplex& surface)
 {
   const std::vector<Point>& points = surface.Points;

@@ -18,17 +18,17 @@ struct CellsOfExpression
 };
 
 /**
- * The cells where a set expression holds, of bodies that may be open: one mesh has the facets of
- * all, and each body has its own winding number in each cell and its own cut (SegmentBodies).
+ * The cells in which a set expression holds, of bodies that may be open. One mesh has the facets of
+ * all; each body has its own winding number per cell and its own cut (SegmentBodies).
  *
- * Narrow gaps between bodies are closed first (FillGaps); each belongs to the last adjacent body.
+ * Narrow gaps between bodies are closed first (FillGaps); each goes to the last adjacent body.
  *
- * If all bodies are closed, the boundary is that of SurfaceOfExpression, except for points that the
- * mesh adds. Where all facets lie in one plane there are no cells, with a warning.
+ * If all bodies are closed, the boundary equals that of SurfaceOfExpression, except for points that
+ * the mesh adds. If all facets lie in one plane, there are no cells, and a warning says so.
  *
  * @param[in] bodies one for each of expression.Bodies()
  * @param[in] names of these, for messages
- * @param[in] mergeTolerance of gaps; 0 closes none
+ * @param[in] mergeTolerance largest width of gaps; 0 closes none
  * @throws Error as ConstrainedDelaunay, WindingNumbersOfBodies and SegmentBodies do
  */
 CellsOfExpression FindCellsOfExpression(const ResolvedBodies& bodies,

@@ -16,8 +16,10 @@ namespace insideout
 {
 namespace
 {
-/** Sines of angles: facets that are thinner have no plane that can be relied upon, and planes that
- * differ by less are one to a point. */
+/**
+ * Sines of angles: the plane of a facet thinner than this is unreliable, and planes at an angle
+ * below the second move a point to the same place.
+ */
 constexpr double Thinnest = 1e-8;
 constexpr double Parallel = 0.05;
 
@@ -47,15 +49,17 @@ std::optional<Plane> PlaneOf(const std::array<Point, 3>& facet)
   };
   const Point normal =
     Cross(unit(Difference(facet[1], facet[0])), unit(Difference(facet[2], facet[0])));
-  if (!(Length(normal) > Thinnest)) // also where an edge has no length
+  if (!(Length(normal) > Thinnest)) // also excludes edges without length
   {
     return std::nullopt;
   }
   return Plane{ facet[0], unit(normal) };
 }
 
-/** Whether no line within the plane of the first, along an edge of either, parts the two triangles
- * but for a strip: the theorem of separating axes, in two dimensions. */
+/**
+ * Whether two triangles overlap, seen along the normal of the first, by more than a strip: no line
+ * along an edge of either separates them (the separating axis theorem in two dimensions).
+ */
 bool AreAboveEachOther(const std::array<Point, 3>& first, const std::array<Point, 3>& second,
   const Point& normal, double strip)
 {
@@ -82,7 +86,7 @@ bool AreAboveEachOther(const std::array<Point, 3>& first, const std::array<Point
   return true;
 }
 
-/** The nearest place in all planes, those left out that others nearly stand for. */
+/** The nearest place in all planes, without those nearly parallel to others. */
 Point MovedInto(const std::vector<Plane>& planes, const Point& p)
 {
   std::vector<Point> axes;
@@ -151,9 +155,9 @@ private:
   std::vector<Body>& Bodies;
   const double Tolerance;
   Monitor& Watch;
-  const std::vector<Facet> Facets; ///< that have a plane, by body
+  const std::vector<Facet> Facets; ///< those with a plane, by body
   const BoxTree Tree;
-  std::set<Point> Fixed; ///< places of points of earlier bodies
+  std::set<Point> Fixed; ///< positions of the points of earlier bodies
 };
 
 std::vector<Facet> GapCloser::FacetsOf(const std::vector<Body>& bodies)
@@ -176,7 +180,7 @@ std::vector<Facet> GapCloser::FacetsOf(const std::vector<Body>& bodies)
   return facets;
 }
 
-/** A box for each facet: around the facet, and around all places that it may move to. */
+/** A box per facet: around the facet and all positions that it may move to. */
 std::vector<Box> GapCloser::BoxesOfFacets() const
 {
   std::vector<Box> boxes;
@@ -187,7 +191,7 @@ std::vector<Box> GapCloser::BoxesOfFacets() const
   return boxes;
 }
 
-/** The planes of facets of earlier bodies that the corners of a facet are to be moved into. */
+/** The planes of facets of earlier bodies into which the corners of a facet are moved. */
 void GapCloser::FindPlanes(const Facet& facet, Places& places) const
 {
   const std::array<Point, 3> corners = this->CornersOf(facet);

@@ -14,25 +14,26 @@ namespace insideout
 {
 namespace
 {
-/** Decimals of fewer digits are exact, for all that can be told; of more they are as good as
- * doubles. */
+/** Decimals with fewer digits may be exact; those with more are as precise as doubles. */
 constexpr int FewestDigits = 6;
 constexpr int MostDigits = 9;
 
-/** Floats need 8 or 9 digits: where all are content with fewer, they were decimals before. */
+/** Floats need 8 or 9 digits. If all coordinates need fewer, they were decimals before. */
 constexpr int MostDigitsOfDecimalsInFloats = 7;
 
-/** Absolute coordinates that have to need all digits but one: a box along the axes has six, which
- * may be a design. */
+/**
+ * Number of absolute coordinates that have to need all digits except one. A box along the axes has
+ * only six coordinates, which may be exact by design.
+ */
 constexpr std::size_t LeastEvidence = 8;
 
 struct DecimalNumber
 {
   int Digits;   ///< significant ones
-  int Decimals; ///< behind the point; negative where the last digit stands before it
+  int Decimals; ///< decimal places; negative if the last digit stands before the point
 };
 
-/** The shortest decimal number that is rounded to x. */
+/** The shortest decimal number that rounds to x. */
 template <typename Real>
 DecimalNumber ShortestDecimal(Real x)
 {
@@ -47,7 +48,7 @@ DecimalNumber ShortestDecimal(Real x)
   return { digits, digits - 1 - std::atoi(written.c_str() + exponentAt + 1) };
 }
 
-/** The decimal grid of absolute coordinates, if they are on one. */
+/** The decimal grid of absolute coordinates, if they lie on one. */
 template <typename Real>
 std::optional<CoordinateGrid> FindDecimals(const std::vector<double>& sizes, int mostDigits)
 {

@@ -15,7 +15,7 @@ public:
   /** The grid of floats. */
   CoordinateGrid() = default;
 
-  /** Decimals with this many significant digits, and this many digits behind the point. */
+  /** Decimals with this number of significant digits, and this number of decimal places. */
   CoordinateGrid(int digits, int decimals)
     : Digits(digits)
     , Decimals(decimals)
@@ -31,12 +31,12 @@ private:
 };
 
 /**
- * Find the grid of a body's coordinates. Floats are those that are all floats; decimals are those
- * that need 6 to 9 significant digits, many of them all of these. Coordinates that need fewer
- * digits are taken for floats: whether they were rounded is unknown.
+ * Find the grid of a body's coordinates. They are floats if all of them are; they are decimals if
+ * they need 6 to 9 significant digits, and many of them need all of these. Coordinates that need
+ * fewer digits are taken for floats: whether they were rounded is unknown.
  *
  * @param[in] points finite
- * @return nothing where some coordinate needs the digits of a double
+ * @return nothing if some coordinate needs the digits of a double
  */
 std::optional<CoordinateGrid> FindCoordinateGrid(const std::vector<Point>& points);
 } // namespace insideout

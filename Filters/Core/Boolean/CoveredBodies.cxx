@@ -13,12 +13,12 @@ namespace insideout
 {
 namespace
 {
-/** Bodies that are named in one message: nobody reads more. */
+/** Limit of the bodies named in one message. */
 constexpr std::size_t MostNamed = 10;
 
 using Labels = std::vector<unsigned char>;
 
-/** Whose region each cell of a body is: None outside, the body where it keeps the cell. */
+/** The owner of each cell of a body: None outside, the body itself if it keeps the cell. */
 std::vector<Id> OwnersOfCells(Id body, const Labels& inside, const BodyRegions& regions)
 {
   std::vector<Id> owners(inside.size(), None);
@@ -33,7 +33,7 @@ std::vector<Id> OwnersOfCells(Id body, const Labels& inside, const BodyRegions& 
   return owners;
 }
 
-/** Parts of a body, those that keep no cell, and whose these are. */
+/** The parts of a body, those that keep no cell, and their owners. */
 struct CoveredParts
 {
   Id All = 0;
@@ -78,7 +78,7 @@ public:
     }
   }
 
-  /** Whether one has cells of the other for no reason but the order that is given. */
+  /** Whether a body has cells of the other merely because of the given order. */
   bool ComesFirst(Id body, Id other) const
   {
     const std::vector<Id>& within = this->Order.Within[other];
@@ -86,14 +86,14 @@ public:
       !std::binary_search(within.begin(), within.end(), body);
   }
 
-  /** Whether who asked wanted it so: Priority names the body, or all others that have its cells. */
+  /** Whether the caller chose this: Priority names the body, or all others that have its cells. */
   bool AreChosen(Id body, const std::set<Id>& others) const
   {
     return this->IsNamed(body) ||
       std::all_of(others.begin(), others.end(), [&](Id other) { return this->IsNamed(other); });
   }
 
-  /** Those within a body that have their cells although it comes before them. */
+  /** The bodies within a body that have their cells although it comes before them. */
   std::set<Id> InVainBefore(Id body) const
   {
     std::set<Id> inner;
@@ -125,7 +125,7 @@ public:
   }
 
 private:
-  /** A name as a list of names has it: in quotes where a shell would split it. */
+  /** A name as it stands in a list of names: in quotes if a shell would split it. */
   static std::string AsListed(const std::string& name)
   {
     std::string listed;
@@ -142,10 +142,10 @@ private:
 
   const BodyOrder& Order;
   const std::vector<std::string>& Names;
-  std::vector<std::size_t> Place; ///< of each body in the order that was given
+  std::vector<std::size_t> Place; ///< per body, its position in the given order
 };
 
-/** A warning where the order takes more than half of a body's volume; else nothing. */
+/** A warning if the order takes more than half of a body's volume; else nothing. */
 std::string WarningOfOrder(Id body, const std::vector<Id>& owners, const TetrahedralMesh& mesh,
   const std::vector<std::string>& names, const Words& words)
 {
@@ -164,7 +164,7 @@ std::string WarningOfOrder(Id body, const std::vector<Id>& owners, const Tetrahe
       by.insert(other);
     }
   }
-  constexpr double Half = 0.5 + 1e-9; // where it is just half rounding does not decide
+  constexpr double Half = 0.5 + 1e-9; // rounding must not decide when it is exactly half
   if (!(taken > Half * all))
   {
     return "";

@@ -22,14 +22,14 @@ namespace
 {
 const ProgressRange Progress = { Stages::Extracting, 0, 0 };
 
-/** What bounds the cells of a body. */
+/** The boundary of a body's cells. */
 struct BodyBoundary
 {
   std::vector<Triangle> Facets;
-  std::unique_ptr<SurfaceDistance> Distances; ///< null where the body has no cells
+  std::unique_ptr<SurfaceDistance> Distances; ///< null if the body has no cells
 };
 
-/** In order, what is in both of two lists in order. */
+/** The intersection of two sorted lists, sorted. */
 std::vector<Id> Common(const std::vector<Id>& a, const std::vector<Id>& b)
 {
   std::vector<Id> both;
@@ -68,13 +68,13 @@ private:
   std::vector<std::vector<unsigned char>>& Inside;
   Monitor& Watch;
   const int Exponent;
-  const std::vector<Point> Points; ///< scaled to below 1, as is the tolerance
+  const std::vector<Point> Points; ///< scaled to below 1, like the tolerance
   const double Tolerance;
 
   std::vector<Id> Cells;             ///< that may lie in a gap
-  std::vector<std::vector<Id>> Near; ///< of each of these the bodies that it is near, ascending
-  std::vector<Id> GapOf;             ///< of each cell of the mesh its place in Cells, or None
-  std::vector<std::set<Id>> Beside;  ///< of the first cell of each part of a gap
+  std::vector<std::vector<Id>> Near; ///< per cell of these, the bodies near it, ascending
+  std::vector<Id> GapOf;             ///< per cell of the mesh, its index in Cells, or None
+  std::vector<std::set<Id>> Beside;  ///< for the first cell of each part of a gap, bodies beside it
   DisjointSets Parts{ 0 };
 };
 
@@ -93,7 +93,7 @@ BodyBoundary GapFiller::BoundaryOf(Id body) const
   return boundary;
 }
 
-/** Corners of Cells, those in a box. */
+/** The corners of Cells that lie in a box. */
 std::vector<Id> GapFiller::PointsOfGaps(const Box& box) const
 {
   std::vector<char> isCorner(this->Points.size(), 0);
@@ -172,8 +172,10 @@ void GapFiller::KeepThoseThatStayNear(const std::vector<BodyBoundary>& boundarie
     });
 }
 
-/** Join cells through faces where they are near the same two bodies, and see which bodies have
- * faces on what is so joined. */
+/**
+ * Join cells through faces if they are near the same two bodies, and find the bodies that have
+ * faces on each joined part.
+ */
 void GapFiller::JoinGaps()
 {
   this->Parts = DisjointSets(this->Cells.size());
@@ -213,7 +215,7 @@ void GapFiller::JoinGaps()
     });
 }
 
-/** The last of the bodies that a cell lies between; None where these are fewer than two. */
+/** The last of the bodies that a cell lies between; None if there are fewer than two. */
 Id GapFiller::NewBodyOf(Id gapCell)
 {
   const std::set<Id>& beside = this->Beside[this->Parts.Find(gapCell)];

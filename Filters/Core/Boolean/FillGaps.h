@@ -9,7 +9,7 @@
 
 namespace insideout
 {
-/** The gaps that were given to bodies. */
+/** The gaps, with the bodies that they went to. */
 struct FilledGaps
 {
   Id Cells = 0;
@@ -20,16 +20,17 @@ struct FilledGaps
  * Close narrow gaps between bodies, as between round faces with different triangulations: free
  * cells in a gap are given to an adjacent body, so that the two share faces.
  *
- * A cell lies in a gap between two bodies on two conditions. No point of it is farther than the
- * tolerance from the cells of either (StaysNear). Both have faces on its part of the gap: the cells
- * in that gap that faces connect with it. So a dent of one body is no gap, however near another
- * body is behind it. A cell that reaches out of the gap stays outside.
+ * A cell lies in a gap between two bodies on two conditions. First, no point of it is farther than
+ * the tolerance from the cells of either (StaysNear). Second, both bodies have faces on its part of
+ * the gap: the cells of the gap connected with it through faces. So a dent of one body is not a
+ * gap, however near another body is behind it. A cell that reaches out of the gap stays outside.
  *
  * A cell goes to the last of the bodies beside it; earlier bodies keep their shape.
  *
  * @param[in] tolerance above 0
  * @param[in] order indices of all bodies
- * @param[in,out] inside of each body, not 0 for its cells; set to 1 for cells that it gets
+ * @param[in,out] inside per body and cell, not 0 if the body has the cell; set to 1 for cells that
+ * it gets
  * @throws Error Stopped
  */
 FilledGaps FillGaps(const TetrahedralMesh& mesh, double tolerance, const std::vector<Id>& order,

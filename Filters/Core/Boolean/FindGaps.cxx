@@ -11,7 +11,7 @@ namespace insideout
 {
 namespace
 {
-/** Per point whether it is near some facets. */
+/** Per point, whether it is near some facets. */
 std::vector<char> ArePointsNear(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, double tolerance, Monitor& monitor)
 {

@@ -6,9 +6,8 @@
 namespace insideout
 {
 /**
- * Whether there may be gaps between bodies that FillGaps closes: whether a facet that is none of a
- * body has no corner that is farther from the body than the tolerance. It may also lie within the
- * body.
+ * Whether there may be gaps between bodies that FillGaps closes: whether any facet of other bodies
+ * has all corners within the tolerance of a body. It may also lie inside the body.
  *
  * @param[in] tolerance above 0
  * @throws Error (Stopped)

@@ -18,14 +18,13 @@ namespace insideout
 {
 namespace
 {
-/** At most this many pairs of bodies are named one by one: nobody reads more. */
+/** Limit of the pairs of bodies named in messages. */
 constexpr std::size_t MostNamed = 10;
 
-/** Other facets of the two bodies are apart by some more roundings of doubles than those that are
- * found. */
+/** Other facets of the two bodies may be some more roundings apart than those found. */
 constexpr double Margin = 16;
 
-/** The layers that two bodies have nearly in common. */
+/** The layers that nearly coincide in two bodies. */
 struct Contact
 {
   std::vector<Id> Triangles;
@@ -34,7 +33,7 @@ struct Contact
 
 using Contacts = std::map<std::array<Id, 2>, Contact>;
 
-/** Per facet a body that it counts for, if there is one: of a constraint. */
+/** Per facet, one of the bodies that it counts for, if there is one: for constraints. */
 std::vector<Id> BodyOfFacets(const ResolvedBodies& bodies)
 {
   std::vector<Id> body(bodies.Surface.Facets.size(), None);
@@ -48,7 +47,7 @@ std::vector<Id> BodyOfFacets(const ResolvedBodies& bodies)
   return body;
 }
 
-/** How far the corners of a triangle are from the plane of another, at most. */
+/** The largest distance of a triangle's corners from the plane of another. */
 double LargestHeight(const std::array<Point, 3>& triangle, const std::array<Point, 3>& other)
 {
   const Point normal = NormalOf(triangle[0], triangle[1], triangle[2]);
@@ -67,7 +66,9 @@ double DistanceOf(const FacetComplex& surface, Id f, Id g)
   return std::min(LargestHeight(first, second), LargestHeight(second, first));
 }
 
-/** Add two layers to the contact of their bodies; an interface is no neighbor of its own bodies. */
+/**
+ * Add two layers to the contact of their bodies. An interface is not a neighbor of its own bodies.
+ */
 void AddLayers(const ResolvedBodies& bodies, Id f, Id g, Contacts& contacts)
 {
   const FacetComplex& surface = bodies.Surface;
@@ -94,7 +95,7 @@ void AddLayers(const ResolvedBodies& bodies, Id f, Id g, Contacts& contacts)
   }
 }
 
-/** The least power of ten that is not below it. */
+/** The smallest power of ten that is at least this distance. */
 double PowerOfTenFrom(double distance)
 {
   return std::pow(10, std::ceil(std::log10(distance)));
@@ -114,7 +115,7 @@ std::vector<NearBodies> FindNearBodies(const ResolvedBodies& bodies, Monitor& mo
   {
     AddLayers(bodies, f, g, contacts);
   }
-  const double spacing = std::ldexp(size, -53); // what is nearer is this far but for rounding
+  const double spacing = std::ldexp(size, -53); // smaller distances may be rounding errors
   std::vector<NearBodies> near;
   for (auto& [pair, contact] : contacts)
   {

@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** Two bodies with facets that coincide up to rounding, but are not one. */
+/** Two bodies with facets that coincide up to rounding, but are distinct. */
 struct NearBodies
 {
   Id First;
@@ -19,9 +19,9 @@ struct NearBodies
 };
 
 /**
- * Find bodies that nearly touch: facets of different bodies lie above each other, within the radius
- * that the resolver snaps in (FindLayers, SnappingRadius). Such facets that cross were merged by
- * the resolver; others stay, which is exact, but hardly ever intended.
+ * Find bodies that nearly touch: facets of different bodies lie on each other within the resolver's
+ * snapping radius (FindLayers, SnappingRadius). The resolver merged such facets if they cross.
+ * Others stay apart, which is exact but hardly ever intended.
  *
  * @return by bodies
  * @throws Error (Stopped)
@@ -29,11 +29,11 @@ struct NearBodies
 std::vector<NearBodies> FindNearBodies(const ResolvedBodies& bodies, Monitor& monitor);
 
 /**
- * A line for each of the first pairs of bodies: their names, and the touch tolerance that makes
- * them touch, if one larger than the present does.
+ * A line for each of the first pairs of bodies: their names, and a touch tolerance that makes them
+ * touch, if that is larger than the present one.
  *
  * @param[in] names of all bodies
- * @param[in] tolerance that was used
+ * @param[in] tolerance the present one
  */
 std::vector<std::string> WordsOf(
   const std::vector<NearBodies>& near, const std::vector<std::string>& names, double tolerance);

@@ -7,8 +7,7 @@ namespace insideout
 {
 namespace
 {
-/** Per facet +1 where it is on the boundary and its normal points outward, -1 where inward, else 0.
- */
+/** Per facet, +1 if it is on the boundary and its normal points outward, -1 if inward, else 0. */
 std::vector<signed char> SidesOfFacets(const SurfacePatches& patches, const PatchPlaces& places,
   const std::vector<HoldsBeside>& holds, const std::vector<int>& counts)
 {

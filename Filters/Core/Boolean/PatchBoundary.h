@@ -7,7 +7,9 @@
 
 namespace insideout
 {
-/** Whether a rule holds on both sides of a patch: in front of and behind PatchPlaces::FacetOf. */
+/**
+ * Whether a rule holds on both sides of a patch: in front of PatchPlaces::FacetOf and behind it.
+ */
 struct HoldsBeside
 {
   bool Front;
@@ -15,17 +17,17 @@ struct HoldsBeside
 };
 
 /**
- * The facets across which a rule begins or ends to hold, turned to face where it does not (Zhou,
- * Grinspun, Zorin and Jacobson 2016, section 5). They are balanced on every edge.
+ * The facets that separate the region in which a rule holds from the rest, turned to face the rest
+ * (Zhou, Grinspun, Zorin and Jacobson 2016, section 5). They are balanced on every edge.
  *
  * @param[in] surface resolved
  * @param[in] edges those of surface.Facets
  * @param[in] places of its patches
  * @param[in] holds one per patch
- * @param[in] counts one per facet: of two of a patch the same where they run the same way, else the
- *   opposite; not 0 where the rule differs
+ * @param[in] counts one per facet: equal for two facets of a patch with the same orientation, else
+ * opposite; not 0 where the rule differs
  * @return triangles by points of the surface, in the order of its facets
- * @throws Error Inconsistent where an edge is not run through as often one way as the other
+ * @throws Error Inconsistent if an edge is not traversed equally often both ways
  */
 std::vector<BoundaryTriangle> PatchBoundary(const FacetComplex& surface,
   const std::vector<FacetEdge>& edges, const SurfacePatches& patches, const PatchPlaces& places,

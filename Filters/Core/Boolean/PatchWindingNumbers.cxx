@@ -50,7 +50,7 @@ PatchPlaces::PatchPlaces(const FacetComplex& surface, const SurfacePatches& patc
       areas[patch] = area;
     }
   }
-  // A cell of which two corners are one has its barycentre in the facet, exactly.
+  // The barycenter of a cell with two equal corners lies in the facet, exactly.
   for (const Id f : this->Largest)
   {
     const Triangle& facet = surface.Facets[f];

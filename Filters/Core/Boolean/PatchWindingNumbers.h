@@ -18,10 +18,10 @@ struct PatchSides
 };
 
 /**
- * The winding numbers of closed chains just beside patches, without any mesh: one exact query in
- * the middle of a patch's largest facet gives the mean of both sides, and the facet's multiplicity
- * is their difference. They are the same all along the patch. They decide which patches a set
- * operation keeps (Zhou, Grinspun, Zorin and Jacobson 2016).
+ * The winding numbers of closed chains on both sides of patches, without any mesh. One exact query
+ * in the middle of a patch's largest facet gives the mean of both sides, and the facet's
+ * multiplicity is their difference. Both are constant along the patch. They decide which patches a
+ * set operation keeps (Zhou, Grinspun, Zorin and Jacobson 2016).
  */
 class PatchPlaces
 {
@@ -29,13 +29,16 @@ public:
   /** @param[in] surface resolved: its facets meet in shared points and edges only */
   PatchPlaces(const FacetComplex& surface, const SurfacePatches& patches);
 
-  /** The facet that represents a patch: the largest; of several the one of lowest id. */
+  /**
+   * The facet that represents a patch: the largest; of several equal ones, the one with the lowest
+   * id.
+   */
   Id FacetOf(Id patch) const { return this->Largest[patch]; }
 
   /**
    * The winding numbers of a chain of the surface's facets on both sides of all patches.
    *
-   * @param[in] chain of which the boundary is empty
+   * @param[in] chain without boundary
    * @param[in] counts one per patch: the multiplicity of its FacetOf in the chain
    * @return one per patch
    * @throws Error (Stopped)

@@ -45,7 +45,7 @@ void SetMultiplicity(const std::vector<int>& multiplicity, FacetComplex& surface
   }
 }
 
-/** @param[in] places per source its facet, and whether that is turned over */
+/** @param[in] places per source, its facet and whether that is turned over */
 void SetSources(const std::vector<FacetSource>& places, FacetComplex& surface)
 {
   const Buckets<FacetSource> sources(surface.Facets.size(),
@@ -66,7 +66,7 @@ void SetSources(const std::vector<FacetSource>& places, FacetComplex& surface)
   }
 }
 
-/** The numbers of points are below this. */
+/** All numbers of points are below this. */
 Id NumberOfPointIds(const std::vector<Body>& bodies)
 {
   Id number = 0;
@@ -80,7 +80,7 @@ Id NumberOfPointIds(const std::vector<Body>& bodies)
   return number;
 }
 
-/** What orientation says of one body, in the numbers of its triangles. */
+/** The orientation of one body, by the numbers of its triangles. */
 struct BodyTurns
 {
   std::vector<Id> Turned;
@@ -88,11 +88,15 @@ struct BodyTurns
   std::vector<HoledShell> Holed;
 };
 
-/** Bodies are worked on side by side if the largest takes at most this many times a thread's fair
- * share. */
+/**
+ * Bodies are processed in parallel if the largest is at most this multiple of a thread's fair
+ * share.
+ */
 constexpr double MostUneven = 1.25;
 
-/** Threads that counting or orienting one body keeps busy: nearly half of these is one thread's. */
+/**
+ * Threads kept busy by counting or orienting one body: nearly half of that work runs on one thread.
+ */
 constexpr int ThreadsOfABody = 2;
 
 class BodyResolver
@@ -153,13 +157,13 @@ private:
   DisjointSets SamePoints; ///< by their numbers
 
   std::vector<FacetComplex>
-    Chains; ///< one per body, once oriented by its numbers of points and triangles
-  std::vector<std::vector<FacetEdge>> Edges; ///< of each chain, until it is oriented
-  std::vector<Id> FirstFacet; ///< of each chain, if the facets of all are numbered in a row
-  std::vector<std::vector<std::array<Id, 2>>> OwnCrossings; ///< by facets of each chain
-  std::vector<std::optional<CoordinateGrid>> Grids;         ///< of each of several bodies
-  TouchingFacets Touching; ///< facets of the chains in a row, later of all together
-  KnownCrossings Known;    ///< of all together, with a body for each facet
+    Chains; ///< one per body; once oriented, by the body's numbers of points and triangles
+  std::vector<std::vector<FacetEdge>> Edges; ///< per chain, until it is oriented
+  std::vector<Id> FirstFacet; ///< per chain, if the facets of all are numbered consecutively
+  std::vector<std::vector<std::array<Id, 2>>> OwnCrossings; ///< per chain, by its facets
+  std::vector<std::optional<CoordinateGrid>> Grids;         ///< one per body, if there are several
+  TouchingFacets Touching; ///< by facets of the chains, in sequence, later of the whole
+  KnownCrossings Known;    ///< of the whole, with a body per facet
   ResolvedBodies Result;
 };
 
@@ -171,7 +175,7 @@ void BodyResolver::Warn(const Body& body, const std::vector<std::string>& warnin
   }
 }
 
-/** Points of all bodies that are within the tolerance of each other get one place. */
+/** Merge points of all bodies that are within the tolerance of each other. */
 void BodyResolver::MergeGivenPoints()
 {
   std::vector<Point> points;
@@ -194,7 +198,7 @@ void BodyResolver::MergeGivenPoints()
   }
 }
 
-/** The chain of a soup in which no triangle has an area. */
+/** The chain of a soup whose triangles all have no area. */
 CountedChain AllDegenerateChain(const TriangleSoup& soup)
 {
   CountedChain chain;
@@ -207,9 +211,9 @@ CountedChain AllDegenerateChain(const TriangleSoup& soup)
 }
 
 /**
- * Works on each body. Several threads take a body each where that keeps as many of them busy as one
- * body does; else each body has all threads, in turn.
- * @param[in] threads that one body keeps busy, of those that are allowed
+ * Process each body. If it keeps more threads busy, each thread takes a body; else all threads work
+ * on one body after the other.
+ * @param[in] threads of the allowed ones that one body keeps busy
  */
 void BodyResolver::ForEachBody(
   const char* stage, int threads, const std::function<void(std::size_t, Monitor&)>& work)
@@ -231,7 +235,7 @@ void BodyResolver::ForEachBody(
     this->Watch);
 }
 
-/** Counts the facets of a body; one without facets is empty if bodies have names. */
+/** Count the facets of a body. One without facets is empty if bodies have names. */
 CountedChain BodyResolver::CountFacetsOf(
   const Body& body, const CountedChainParameters& parameters, Monitor& monitor) const
 {
@@ -261,7 +265,7 @@ void BodyResolver::CountFacetsOfBodies()
   CountedChainParameters parameters = this->Parameters.Chain;
   if (this->Given.size() > 1)
   {
-    parameters.MergeTolerance = std::min(parameters.MergeTolerance, 0.0); // it has been seen to
+    parameters.MergeTolerance = std::min(parameters.MergeTolerance, 0.0); // merged already
   }
   std::vector<CountedChain> chains(this->Given.size());
   this->ForEachBody(Stages::Validating, ThreadsOfABody,
@@ -292,7 +296,7 @@ void BodyResolver::CountFacetsOfBodies()
   }
 }
 
-/** Searches each body once: here, or once it is thickened. */
+/** Find crossings in each body once: here, or after it is thickened. */
 void BodyResolver::FindOwnCrossings()
 {
   this->ForEachBody(Stages::FindingIntersections, AllowedThreads(),
@@ -303,7 +307,7 @@ void BodyResolver::FindOwnCrossings()
     });
 }
 
-/** Replace indices into a body's soup by the numbers that its points and triangles go by. */
+/** Replace indices into a body's soup by the body's numbers of points and triangles. */
 void GiveNumbers(const Body& body, FacetComplex& chain)
 {
   for (PointOrigin& origin : chain.Origins)
@@ -344,7 +348,7 @@ std::vector<HoledShell> HoledShellsOf(
   return shells;
 }
 
-/** Orients a body and thickens it, and gives its chain the body's numbers. */
+/** Orient and thicken a body, and number its chain by the body's numbers. */
 BodyTurns BodyResolver::OrientBody(std::size_t b, Monitor& monitor)
 {
   const Body& body = this->Given[b];
@@ -401,7 +405,7 @@ void BodyResolver::OrientBodies()
   }
 }
 
-/** The points of all chains, and for each the lowest with its coordinates. */
+/** The points of all chains, and for each the lowest one with the same coordinates. */
 BodyResolver::ChainPoints BodyResolver::PointsOfChains()
 {
   ChainPoints all;
@@ -437,7 +441,7 @@ BodyResolver::ChainPoints BodyResolver::PointsOfChains()
   return all;
 }
 
-/** The chains as one complex, the sources of which are the chains' facets, numbered in a row. */
+/** The chains as one complex, whose sources are the chains' facets, numbered consecutively. */
 FacetComplex BodyResolver::Together()
 {
   FacetComplex together;
@@ -445,7 +449,7 @@ FacetComplex BodyResolver::Together()
   together.Points.reserve(points.Points.size());
   together.Origins.reserve(points.Points.size());
   std::vector<Id> index(points.Points.size(), None);
-  std::vector<char> isShared; // per point of the complex: by several bodies
+  std::vector<char> isShared; // per point of the complex: used by several bodies
   isShared.reserve(points.Points.size());
   for (std::size_t p = 0; p < index.size(); ++p)
   {
@@ -465,7 +469,7 @@ FacetComplex BodyResolver::Together()
   }
 
   std::unordered_map<Triangle, FacetSource, HashOfTriangle> known; // of shared points
-  std::vector<FacetSource> places; // per facet of the chains where it is, and whether turned
+  std::vector<FacetSource> places; // per facet of the chains, its facet and whether it is turned
   std::vector<int> multiplicity;
   std::size_t facets = 0;
   for (const FacetComplex& chain : this->Chains)
@@ -513,7 +517,10 @@ FacetComplex BodyResolver::Together()
   return together;
 }
 
-/** Says of the bodies' own crossings in facets of all. @param[in] places of the chains' facets */
+/**
+ * Convert the bodies' own crossings to facets of the joint complex.
+ * @param[in] places of the chains' facets
+ */
 void BodyResolver::TakeOwnCrossings(const std::vector<FacetSource>& places)
 {
   for (std::size_t b = 0; b < this->Chains.size(); ++b)
@@ -527,7 +534,10 @@ void BodyResolver::TakeOwnCrossings(const std::vector<FacetSource>& places)
   }
 }
 
-/** Says which facets of all touch. @param[in] places of the chains' facets */
+/**
+ * Convert touching facets to facets of the joint complex.
+ * @param[in] places of the chains' facets
+ */
 void BodyResolver::TakeTouching(const std::vector<FacetSource>& places)
 {
   std::vector<std::array<Id, 2>> pairs;
@@ -543,8 +553,10 @@ void BodyResolver::TakeTouching(const std::vector<FacetSource>& places)
   this->Touching.Pairs = std::move(pairs);
 }
 
-/** Takes the resolved complex, and says of it in bodies and their triangles what it says in facets
- * of the chains. */
+/**
+ * Store the resolved complex, and translate its sources from facets of the chains to bodies and
+ * their triangles.
+ */
 void BodyResolver::TakeResolved(FacetComplex resolved)
 {
   std::vector<FacetSource> sources;
@@ -579,7 +591,7 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
                    [](const BodyCount& count) { return count.Count == 0; }),
       counts.end());
     this->Result.CountOffsets.push_back(static_cast<Id>(counts.size()));
-    if (sources.size() - firstSource > 1) // it would ask for memory, for each facet
+    if (sources.size() - firstSource > 1) // avoids an allocation per facet
     {
       std::stable_sort(sources.begin() + firstSource, sources.end(),
         [](const FacetSource& a, const FacetSource& b) { return a.Triangle < b.Triangle; });
@@ -601,7 +613,7 @@ std::vector<std::string> BodyResolver::Names() const
   return names;
 }
 
-/** As coordinates are given: those that were moved since are on no grid. */
+/** Uses coordinates as given: moved ones are on no grid. */
 void BodyResolver::FindGrids()
 {
   for (const Body& body : this->Given)
@@ -651,12 +663,12 @@ void BodyResolver::TellOfNearBodies()
 
 Id BodyResolver::BodyOf(Id chainFacet) const
 {
-  // Where several bodies begin at one facet, all but the last are empty.
+  // If several bodies begin at one facet, all except the last are empty.
   const auto next = std::upper_bound(this->FirstFacet.begin(), this->FirstFacet.end(), chainFacet);
   return static_cast<Id>(next - this->FirstFacet.begin()) - 1;
 }
 
-/** Resolves the only body: its chain is the whole complex. */
+/** Resolve the only body: its chain is the whole complex. */
 void BodyResolver::ResolveAlone()
 {
   const FacetComplex& chain = this->Chains[0];
@@ -677,7 +689,7 @@ void BodyResolver::ResolveAlone()
 void BodyResolver::ResolveTogether()
 {
   const FacetComplex together = this->Together();
-  // Without a tolerance what is inside by a hair's breadth is inside.
+  // Without a tolerance even the smallest overlap counts.
   const std::vector<Id> mayTouch = this->Parameters.Chain.MergeTolerance > 0
     ? FacetsNearOthers(together.Points, together.Facets, this->Known.SetOf,
         SnappingRadius(LargestCoordinate(together.Points)))

@@ -20,7 +20,7 @@ struct BodyParameters
   double TouchTolerance = -1;
 };
 
-/** The multiplicity of a facet for one body. */
+/** The multiplicity of a facet in one body. */
 struct BodyCount
 {
   Id Body;
@@ -44,30 +44,31 @@ struct HoledShell
   std::vector<Id> Triangles; ///< of its facets
 };
 
-/** Bodies resolved together. Points and triangles have the bodies' numbers. */
+/** Bodies resolved together. Points and triangles keep the numbers of the bodies. */
 struct ResolvedBodies
 {
   /**
-   * Resolved. A facet's sources are those of all bodies; its multiplicity is the sum over the
-   * bodies, and 0 where they cancel.
+   * A facet's sources are those of all bodies; its multiplicity is their sum, and 0 if they cancel.
    */
   FacetComplex Surface;
 
-  /** The counts of facet f are BodyCounts[CountOffsets[f]] to BodyCounts[CountOffsets[f + 1]]: one
-   * for each body that it counts for, by body; none is 0. */
+  /**
+   * The counts of facet f are BodyCounts[CountOffsets[f]] to BodyCounts[CountOffsets[f + 1]]: one
+   * per body that it counts for, ascending by body; none is 0.
+   */
   std::vector<Id> CountOffsets = { 0 };
   std::vector<BodyCount> BodyCounts;
 
   std::vector<CountedBody> Bodies;
-  std::vector<Id> MergedInto;          ///< per point the lowest that it became one with, or itself
+  std::vector<Id> MergedInto; ///< per point, the lowest point that it was merged with, or itself
   std::vector<Id> DegenerateTriangles; ///< left out; ascending
   std::vector<Id> TurnedTriangles;     ///< turned over; ascending
   std::vector<Id> SheetTriangles;      ///< of facets that enclose nothing; ascending
   std::vector<HoledShell> HoledShells; ///< of all bodies
   Id IntersectingPairs = 0;            ///< of facets, within bodies and among them
-  Id TouchingPairs = 0;                ///< of bodies that touched up to rounding (TouchBodies)
+  Id TouchingPairs = 0;                ///< of bodies that touch up to rounding (TouchBodies)
   Id TouchMovedPoints = 0;             ///< so that they touch
-  Id NearTriangles = 0;                ///< of bodies that touch up to rounding (FindNearBodies)
+  Id NearTriangles = 0;                ///< of bodies that nearly touch (FindNearBodies)
   double SecondsValidate = 0;          ///< until they met
   std::vector<std::string> Warnings;
 
@@ -91,13 +92,13 @@ inline int CountFor(const ResolvedBodies& bodies, Id facet, Id body)
 void AddTouches(const ResolvedBodies& bodies, Statistics& statistics);
 
 /**
- * Stages validate and pre. Count and orient bodies, each as if it were alone (CountFacets,
- * OrientFacets, ThickenFacets), so that nothing of one cancels or turns anything of another; then
- * resolve them together, as one complex. Pieces of several bodies that coincide are one facet, with
- * a count for each.
+ * Stages validate and pre. First count and orient each body as if it were alone (CountFacets,
+ * OrientFacets, ThickenFacets), so that bodies neither cancel nor turn each other's facets. Then
+ * resolve all as one complex. Coincident pieces of several bodies are one facet, with a count per
+ * body.
  *
- * A single body is the case in which there is nothing to join. A body without facets is empty, with
- * a warning, unless it has no name.
+ * A single body has nothing to join. A body without facets is empty, with a warning unless it has
+ * no name.
  *
  * @throws Error EmptySurface if no body has a facet; errors of the stages, prefixed with the body's
  * name; Stopped

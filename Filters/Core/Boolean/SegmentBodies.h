@@ -17,14 +17,14 @@ struct BodyToSegment
 /** Where each body is. */
 struct BodySegmentation
 {
-  std::vector<std::vector<unsigned char>> Inside; ///< of each body, 1 or 0 per cell
+  std::vector<std::vector<unsigned char>> Inside; ///< per body and cell, 1 or 0
   insideout::Statistics Statistics;               ///< SegmentMesh's, summed over the bodies
-  std::vector<std::string> Warnings;              ///< with the body's name before them
+  std::vector<std::string> Warnings;              ///< prefixed with the body's name
 };
 
 /**
  * Stage cut for several bodies on one mesh: each is segmented as if it were alone (SegmentMesh), so
- * that several may have a cell.
+ * a cell may belong to several.
  *
  * @throws Error as SegmentMesh does, prefixed with the body's name; Stopped
  */

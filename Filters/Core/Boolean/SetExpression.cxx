@@ -20,20 +20,22 @@ bool IsDigit(char c)
   return c >= '0' && c <= '9';
 }
 
-/** Whether a name may have this byte: letters, digits, underscores, and whatever is not ASCII. */
+/**
+ * Whether a name may contain this byte: letters, digits, underscores, and all bytes outside ASCII.
+ */
 bool IsOfName(char c)
 {
   return IsDigit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
     static_cast<unsigned char>(c) >= 128;
 }
 
-/** Whether a byte goes on with a character of UTF-8 that began before. */
+/** Whether a byte continues a character of UTF-8. */
 bool Continues(char c)
 {
   return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
 }
 
-/** How tightly an operator binds; 0 for what is none. */
+/** The precedence of an operator; 0 for other characters. */
 int PrecedenceOf(char c)
 {
   switch (c)
@@ -68,7 +70,9 @@ SetOperation OperationOf(char c)
 }
 } // namespace
 
-/** The shunting yard (Dijkstra 1961): operators wait until no tighter one can follow. */
+/**
+ * The shunting yard (Dijkstra 1961): operators wait until none with higher precedence can follow.
+ */
 class SetExpressionParser
 {
 public:
@@ -105,7 +109,7 @@ private:
   std::vector<SetExpression::Step> Steps;
 };
 
-/** The character of UTF-8 that begins there. */
+/** The UTF-8 character that begins there. */
 std::string SetExpressionParser::CharacterAt(std::size_t at) const
 {
   std::size_t end = at + 1;
@@ -155,7 +159,7 @@ std::vector<SetExpression::Step> SetExpressionParser::Parse()
   return std::move(this->Steps);
 }
 
-/** A body, or a parenthesis that opens before one. */
+/** Read a body, or a parenthesis that opens before one. */
 void SetExpressionParser::TakeBody()
 {
   const char c = this->Text[this->Place];
@@ -262,7 +266,7 @@ void SetExpressionParser::TakeOperator()
   this->IsBodyNext = true;
 }
 
-/** The operators that wait and bind at least so tightly, back to a parenthesis. */
+/** Apply the waiting operators with at least this precedence, back to a parenthesis. */
 void SetExpressionParser::Work(int precedence)
 {
   while (!this->Stack.empty() && PrecedenceOf(this->Stack.back().What) >= precedence)
@@ -323,7 +327,7 @@ bool SetExpression::Holds(const std::vector<char>& isIn) const
   return !results.empty() && results.back() != 0;
 }
 
-/** Lists the bodies that steps name, and numbers them by that list. */
+/** List the bodies that the steps name, and number them by that list. */
 void SetExpression::NumberBodies()
 {
   for (const Step& step : this->Steps)

@@ -18,29 +18,30 @@ enum class SetOperation
 };
 
 /**
- * A set expression, such as `A - (B | C) ^ D`: whether a point is in the result, from the bodies
- * that it is in.
+ * A set expression, such as `A - (B | C) ^ D`: it decides from the bodies that contain a point
+ * whether the point is in the result.
  *
  * Operators are `|` or `+` (union), `&` (intersection), `-` (difference) and `^` (symmetric
- * difference), with the precedence that they have in Python and C++: `+` and `-` first, then `&`,
- * then `^`, then `|`; of equal ones the left first. Parentheses go before all. A body is called by
- * its name, in quotes ('left lung' or "left lung") where that is more than letters, digits and
- * underscores, or begins with a digit; by its number, #1 for the first; or by a letter, A for the
- * first of 26, where no body has that name.
+ * difference). Their precedence is that of Python and C++: `+` and `-`, then `&`, then `^`, then
+ * `|`; equal ones from left to right. Parentheses override it.
+ *
+ * A body is called by its name, by its number (#1 for the first), or by a letter (A for the first
+ * of 26) unless a body has that name. A name stands in quotes ('left lung' or "left lung") if it
+ * begins with a digit or has other characters than letters, digits and underscores.
  */
 class SetExpression
 {
 public:
   /**
    * @param[in] names of the bodies
-   * @throws Error InvalidParameter that names the column of the mistake, counted from 1
+   * @throws Error InvalidParameter naming the column of the mistake, counted from 1
    */
   SetExpression(const std::string& text, const std::vector<std::string>& names);
 
-  /** The same operation for a number of bodies. */
+  /** The same operation on a number of bodies. */
   SetExpression(SetOperation operation, Id numberOfBodies);
 
-  /** The bodies that it names, ascending. The result depends on no other body. */
+  /** The bodies that the expression names, ascending. The result depends on no other body. */
   const std::vector<Id>& Bodies() const { return this->Named; }
 
   /** @param[in] isIn one per body of Bodies(): not 0 if the point is in it */

@@ -4,11 +4,11 @@
 #include "Boolean/ResolveBodies.h"
 #include "Validate/FacetEdges.h"
 
-/** The rest of each body among all that are resolved together. */
+/** Properties of single bodies among bodies that are resolved together. */
 namespace insideout
 {
 /**
- * Per body whether it has no boundary: on every edge its counts cancel.
+ * Per body, whether it has no boundary: its counts cancel at every edge.
  *
  * @param[in] edges those of Surface.Facets
  */
@@ -18,6 +18,6 @@ std::vector<char> FindClosedBodies(
 /** Whether no body has a boundary. */
 bool AreClosed(const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges);
 
-/** The facets with their multiplicities for one body: the body's w is that of this complex. */
+/** The facets with their multiplicities in one body: w of this complex is that of the body. */
 FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body);
 } // namespace insideout

@@ -61,7 +61,7 @@ std::vector<HoldsBeside> HoldsBesidePatches(const ResolvedBodies& bodies, const 
   return holds;
 }
 
-/** Per facet its count for the first body that it counts for. */
+/** Per facet, its count for the first body that it counts for. */
 std::vector<int> FirstCounts(const ResolvedBodies& bodies)
 {
   std::vector<int> counts;

@@ -21,17 +21,17 @@ struct ExpressionSurface
 
 /**
  * The boundary of a set expression of closed bodies, without any tetrahedra. A point is in a body
- * where w of the body is 1 or more. The winding numbers of all bodies on both sides of each patch
- * decide: a patch with the expression true on one side only is part of the surface (Zhou, Grinspun,
- * Zorin and Jacobson 2016, sections 4 and 5).
+ * if w of the body is at least 1. The winding numbers of all bodies on both sides of each patch
+ * decide: a patch is part of the surface if the expression is true on one side only (Zhou,
+ * Grinspun, Zorin and Jacobson 2016, sections 4 and 5).
  *
- * It is watertight, and no two of its triangles meet but in shared points and edges. The union of
- * one body is its repair: self-intersections and inner walls are gone. The solid equals that of the
- * cut with weights for which IsCutByWholeNumbers (CutEnergy.h) is true.
+ * The surface is watertight, and any two of its triangles meet only in shared points and edges. The
+ * union of one body repairs it: self-intersections and inner walls are removed. The solid equals
+ * that of the cut with weights for which IsCutByWholeNumbers (CutEnergy.h) is true.
  *
  * @param[in] bodies one for each of expression.Bodies()
- * @return nothing where a body is not closed, or a facet was left out in resolving: its winding
- * number then takes a mesh
+ * @return nothing if a body is open or a facet was left out in resolving: its winding number then
+ * requires a mesh
  * @throws Error (Stopped)
  */
 std::optional<ExpressionSurface> SurfaceOfExpression(

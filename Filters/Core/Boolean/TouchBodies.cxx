@@ -18,14 +18,17 @@ namespace insideout
 {
 namespace
 {
-/** Coordinates that were computed in floats are off by more than one rounding. Faces that are ten
- * roundings apart are so by 6.5 at least once they are rounded: with 1.5 they are told apart. */
+/**
+ * Factor on the rounding errors of two bodies, because coordinates computed in floats are off by
+ * more than one rounding. Faces ten roundings apart stay at least 6.5 apart when rounded, so they
+ * do not touch.
+ */
 constexpr double Slack = 1.5;
 
-/** Pairs of bodies that are named one by one: nobody reads more. */
+/** Limit of the pairs of bodies named in messages. */
 constexpr std::size_t MostNamed = 10;
 
-/** A facet of an earlier body that a point may be moved onto. */
+/** A facet of an earlier body onto which a point may move. */
 struct Support
 {
   Id Facet;
@@ -38,7 +41,7 @@ struct Move
   Id PointId;
   Point To;
   double Distance;
-  Id Body; ///< that it is moved onto
+  Id Body; ///< the body of that facet
 };
 
 class BodyToucher
@@ -74,14 +77,14 @@ private:
   std::vector<std::vector<std::array<Id, 2>>>& Crossings;
   Monitor& Watch;
 
-  std::vector<Triangle> Facets; ///< of all chains, corners numbered within the chain
+  std::vector<Triangle> Facets; ///< of all chains, by corners of each chain
   std::vector<Id> BodyOf;       ///< of each of these
   std::vector<double> Tolerances;
   std::vector<TouchingPair> Pairs;
   std::map<std::array<Id, 2>, TouchingBodies> Contacts;
 };
 
-/** A facet's share in the tolerance of a pair; negative where it touches nothing. */
+/** A facet's share in the tolerance of a pair; negative if it cannot touch anything. */
 double BodyToucher::ToleranceOf(Id body, const Triangle& corners) const
 {
   if (this->Tolerance > 0)
@@ -109,7 +112,7 @@ std::array<Point, 3> BodyToucher::CornersOf(Id facet) const
   return insideout::CornersOf(this->Chains[this->BodyOf[facet]].Points, this->Facets[facet]);
 }
 
-/** The facets of earlier bodies that touch facets at each point of a body. */
+/** Per point of a body, the facets of earlier bodies that touch facets at the point. */
 std::map<Id, std::vector<Support>> BodyToucher::SupportsOf(Id body) const
 {
   std::map<Id, std::vector<Support>> supports;
@@ -127,7 +130,9 @@ std::map<Id, std::vector<Support>> BodyToucher::SupportsOf(Id body) const
   return supports;
 }
 
-/** A place on an edge of a body, put onto the facet of the earliest body that is near. */
+/**
+ * The position of a point on an edge of a body, moved onto the facet of the earliest body near it.
+ */
 Point BodyToucher::OntoEarlier(const Point& p, const std::vector<Support>& supports, Id body) const
 {
   Point to = p;
@@ -182,7 +187,7 @@ std::optional<Move> BodyToucher::MoveOf(const Point& p, const std::vector<Suppor
   return nearest && nearest->To != p ? nearest : std::nullopt;
 }
 
-/** The points of facets that their moves turned over, or made cross others. */
+/** The points whose moves turned a facet over, or made facets cross. */
 std::set<Id> BodyToucher::HarmfulMoves(Id body, const std::vector<Point>& before)
 {
   const FacetComplex& chain = this->Chains[body];
@@ -323,7 +328,7 @@ Touches BodyToucher::Touch()
       contact.Distance = std::max(contact.Distance, pair.Distance);
     }
   }
-  // Faces that touch exactly may be bent beside those that do not: all go along, or none.
+  // Faces that touch exactly may bend beside faces that do not: all of them move, or none.
   for (std::size_t i = 0; !this->Contacts.empty() && i < this->Pairs.size(); ++i)
   {
     const TouchingPair& pair = this->Pairs[i];

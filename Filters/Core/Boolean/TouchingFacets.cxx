@@ -14,13 +14,15 @@ namespace insideout
 {
 namespace
 {
-/** Facets lie on each other in an area wider than this many tolerances: those of planes that differ
- * by more than 14 degrees do not. */
+/**
+ * Facets lie on each other if their overlap is wider than this number of tolerances. This excludes
+ * planes at an angle of more than 14 degrees.
+ */
 constexpr double LeastWidth = 4;
 
 using PlanarPlace = std::array<double, 2>;
 
-/** A triangle seen along an axis: where its points are, and how high. */
+/** A triangle seen along an axis: its points in projection, and their heights. */
 struct SeenTriangle
 {
   SeenTriangle(const std::array<Point, 3>& corners, const Point& origin, int axis)
@@ -39,7 +41,7 @@ struct SeenTriangle
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   }
 
-  /** The height at a place in the triangle; beside it, by rounding, the height of the edge. */
+  /** The height at a place in the triangle; if rounding puts it outside, the height of the edge. */
   double HeightAt(const PlanarPlace& p) const
   {
     double height = 0;
@@ -110,7 +112,7 @@ double WidthOf(const std::vector<PlanarPlace>& polygon)
   return diameter > 0 ? std::abs(doubleArea) / 2 / diameter : 0;
 }
 
-/** The widest gap between two triangles where they lie on each other, if that is an area. */
+/** The widest gap between two triangles that lie on each other in an area. */
 std::optional<double> GapBetween(
   const std::array<Point, 3>& first, const std::array<Point, 3>& second, double leastWidth)
 {

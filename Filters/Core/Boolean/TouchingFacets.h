@@ -15,9 +15,9 @@ struct TouchingPair
 };
 
 /**
- * Find pairs of facets of different bodies that lie on each other, nowhere farther apart there than
- * their tolerance, in an area wider than that. Neither the thinnest facets nor the ends of others
- * need to be in one plane.
+ * Find pairs of facets of different bodies that lie on each other: in an area wider than their
+ * tolerance, they are nowhere farther apart than it. Thin facets may be inclined, and facets may
+ * end in other planes.
  *
  * @param[in] bodyOf of each facet
  * @param[in] tolerances per facet, negative for facets that touch none; the tolerance of a pair is

@@ -227,9 +227,8 @@ private:
 
   const PushedSolid& Solid;
   const Id Layers;
-  std::vector<Id> Outer; ///< per point of the mesh, its point at the wall
-  std::vector<Id>
-    FirstBorder; ///< per point, the one on the inner border of the first layer; None without layers
+  std::vector<Id> Outer;       ///< per point of the mesh, its point at the wall
+  std::vector<Id> FirstBorder; ///< the same on the inner border of the first layer; None without
   std::vector<CellOfLayer> OfPyramids;
   std::vector<CellOfLayer> OfPrisms;
   LayeredMesh Result;

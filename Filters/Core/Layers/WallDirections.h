@@ -12,8 +12,7 @@ namespace insideout
 struct WallDirection
 {
   Point Inward = { { 0, 0, 0 } }; ///< of length 1
-  double Cosine =
-    0; ///< the least with the inner normals of the triangles around; 0: no direction inward
+  double Cosine = 0; ///< the least with the inner normals of the triangles around; 0: none inward
 
   /** The length of an edge through layers of height 1: longer in corners. */
   double LengthPerHeight() const;

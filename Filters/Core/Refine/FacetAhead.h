@@ -17,10 +17,9 @@ struct RayStart
 /** The facet that a ray meets first. */
 struct FacetAhead
 {
-  double
-    Way;    ///< distance to the facet; else as far as rounding let the ray be followed, or infinite
-  Id Cell;  ///< in front of it; None: there is no facet within the distance asked for
-  int Face; ///< opposite to this corner
+  double Way; ///< distance to the facet; else as far as rounding let it be followed, or infinite
+  Id Cell;    ///< in front of it; None: there is no facet within the distance asked for
+  int Face;   ///< opposite to this corner
 };
 
 /**

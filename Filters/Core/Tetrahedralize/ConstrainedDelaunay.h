@@ -43,9 +43,8 @@ struct Tetrahedralization
 {
   TetrahedralMesh Mesh;
   int Rung = 0; ///< that the mesh comes from, counted from 1 (RungName in Ladder.h)
-  std::vector<std::string>
-    Failures; ///< reasons of the failed rungs number of hulls (TetrahedralizeApart.h); with
-              ///< several, Rung is the last rung that any took
+  std::vector<std::string> Failures; ///< reasons of the failed rungs
+  /// number of hulls (TetrahedralizeApart.h); with several, Rung is the last rung that any took
   Id Parts = 1;
 };
 
