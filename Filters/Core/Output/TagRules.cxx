@@ -24,7 +24,7 @@ using Kind = TagCondition::Kind;
 constexpr double DegreesOfNormal = 10;
 constexpr double DegreesOfFeature = 30; // as RefinementParameters::FeatureAngle
 
-/** How far points may be from a plane by rounding, in diagonals. */
+/** Limit of the distance from a plane that counts as rounding, in diagonals. */
 constexpr double ReachOfPlane = 1e-6;
 
 double Radians(double degrees)
@@ -53,7 +53,7 @@ const Word Words[] = {
 };
 constexpr const char* WordOfArray = "array";
 
-/** A direction that is to have a length. */
+/** Check that a direction has a length. */
 void CheckDirection(const TagCondition& condition, std::size_t first, const std::string& rule)
 {
   const std::vector<double>& n = condition.Numbers;
@@ -112,7 +112,7 @@ TagCondition ReadCondition(const std::string& given, const std::string& rule)
   return condition;
 }
 
-/** The triangles of a surface, as conditions ask for them. */
+/** The triangles of a surface, prepared for conditions. */
 class Matcher
 {
 public:
@@ -144,7 +144,7 @@ public:
     }
   }
 
-  /** @param[out] faces the number of each triangle's face, where the condition is of all faces */
+  /** @param[out] faces the number of each triangle's face, if the condition refers to all faces */
   std::vector<bool> Holds(const TagCondition& condition, std::vector<Id>& faces)
   {
     const std::vector<double>& n = condition.Numbers;
@@ -204,7 +204,7 @@ private:
     return { { n[first], n[first + 1], n[first + 2] } };
   }
 
-  /** Pieces of one facet have its normal: thin ones have none that rounding leaves. */
+  /** Pieces of one facet have its normal: rounding leaves thin pieces no reliable one. */
   void FindNormals()
   {
     std::unordered_map<Id, std::size_t> largest; // by source
@@ -230,7 +230,7 @@ private:
     }
   }
 
-  /** 0 where one has no length. */
+  /** The angle; 0 if one of the vectors has no length. */
   static double AngleBetween(const Point& a, const Point& b)
   {
     return std::atan2(Length(Cross(a, b)), Dot(a, b));
@@ -273,8 +273,10 @@ private:
     return nearest;
   }
 
-  /** The face of each triangle, by number. Triangles of one face are joined by edges that two of
-   * them share at no larger angle, or that lie within one facet. */
+  /**
+   * The number of each triangle's face. Triangles belong to one face if they are connected by edges
+   * between two triangles with no larger angle, or within one facet.
+   */
   const std::vector<Id>& FacesBetween(double degrees)
   {
     std::vector<Id>& faces = this->Faces[degrees];
@@ -282,7 +284,7 @@ private:
     {
       return faces;
     }
-    std::map<Point, Id> places; // points may be there twice, as at seams
+    std::map<Point, Id> places; // points may be repeated, as at seams
     std::vector<Id> placeOf;
     for (const Point& point : this->Surface.Points)
     {
@@ -327,7 +329,7 @@ private:
   std::vector<std::array<Point, 3>> Corners;
   std::vector<Point> Centers;
   std::vector<Point> Normals;
-  std::vector<Point> Named; ///< points of the conditions that are of the nearest one
+  std::vector<Point> Named; ///< the points of conditions on the nearest face
   std::map<double, std::vector<Id>> Faces;
 };
 } // namespace
@@ -376,7 +378,7 @@ std::vector<TagMatch> MatchTagRules(const std::vector<TagRule>& rules, const Tag
       std::transform(
         holds.begin(), holds.end(), more.begin(), holds.begin(), std::logical_and<bool>());
     }
-    std::map<Id, Id> numbers; // faces of which no triangle is meant have none
+    std::map<Id, Id> numbers; // only faces with a matching triangle
     for (std::size_t t = 0; t < matches.size(); ++t)
     {
       if (holds[t])

@@ -12,11 +12,13 @@ namespace insideout
 {
 namespace
 {
-/** Below this volume, times six and over the longest edge cubed, doubles do not do: normals and
- * volume then have at least 30 good binary digits. */
+/**
+ * Six volumes over the cubed longest edge, below which doubles do not suffice: above it normals and
+ * volume have at least 30 reliable bits.
+ */
 constexpr double ThinVolume = 0x1p-20;
 
-/** Sizes between which products of eight neither over- nor underflow. */
+/** Range of sizes in which products of eight neither overflow nor underflow. */
 constexpr double SmallestSize = 1e-15;
 constexpr double LargestSize = 1e15;
 
@@ -24,11 +26,11 @@ constexpr double DegreesPerRadian = 57.295779513082320876798154814105;
 
 using Corners = std::array<Point, 4>;
 
-/** The two faces at each edge (TetrahedronEdges), by the corners that they are opposite to. */
+/** The two faces at each edge (TetrahedronEdges), by their opposite corners. */
 constexpr std::array<std::array<int, 2>, 6> FacesAtEdges = { { { { 2, 3 } }, { { 0, 3 } },
   { { 1, 3 } }, { { 1, 2 } }, { { 0, 2 } }, { { 0, 1 } } } };
 
-/** a - b without error, but for one that underflows. */
+/** a - b, exact unless it underflows. */
 DoubleDouble ExactDifference(double a, double b)
 {
   return TwoSum(a, -b);
@@ -69,7 +71,7 @@ double LengthOf(const Vector<Number>& a)
   return std::sqrt(static_cast<double>(Dot(a, a)));
 }
 
-/** The quantities that quality is computed from. */
+/** The quantities from which quality is computed. */
 struct Sizes
 {
   std::array<double, 6> Cosines; ///< of TetrahedronEdges: times both faces' areas, doubled
@@ -109,8 +111,10 @@ Sizes SizesOf(const Corners& corners)
   return sizes;
 }
 
-/** The volume, times six, by the edge where the faces are farthest from parallel: their normals'
- * cross product is the edge times that. This is accurate for needles, and a determinant is not. */
+/**
+ * Six times the volume, from the edge whose faces are farthest from parallel: their normals' cross
+ * product is the edge times that number. This is accurate for needles, unlike a determinant.
+ */
 double VolumeBySines(const Sizes& sizes)
 {
   double volume = 0;
@@ -127,7 +131,7 @@ double VolumeBySines(const Sizes& sizes)
   return volume;
 }
 
-/** The same corners times a power of two, so that no product over- or underflows. */
+/** The corners times a power of two, so that no product overflows or underflows. */
 Corners InRange(Corners corners)
 {
   double size = 0;
@@ -153,7 +157,9 @@ Corners InRange(Corners corners)
   return corners;
 }
 
-/** By doubles where these do, else by double-doubles and exact signs; a flat cell has no sines. */
+/**
+ * In doubles if these suffice, else in double-doubles with exact signs; a flat cell has no sines.
+ */
 Sizes ReliableSizes(const Corners& given)
 {
   const Corners corners = InRange(given);
@@ -191,7 +197,7 @@ CellQuality QualityOfCell(const Corners& corners)
   const double bound = 2 * volume * shortest;
   quality.RadiusEdgeRatio =
     bound > 0 ? sizes.Radius / bound : std::numeric_limits<double>::infinity();
-  // Without a size, so that what the root rounds is the same for all sizes.
+  // Independent of the size, so that rounding of the root is the same for all sizes.
   const double root = std::cbrt(volume / (2 * squares * std::sqrt(squares)));
   quality.MeanRatio = volume > 0 ? std::copysign(12 * root * root, sizes.Volume) : 0;
   return quality;

@@ -14,13 +14,15 @@ namespace
 /** What a cell takes. */
 constexpr double NanosecondsPerCell = 500;
 
-/** The cells in a block. Cells are added up within blocks, and then the blocks: the sum is the same
- * for any number of threads. */
+/**
+ * Cells per block. Cells are summed within blocks, and then the blocks: the sum is the same for any
+ * number of threads.
+ */
 constexpr std::size_t CellsPerBlock = 1024;
 
 constexpr double DegreesPerBin = 5;
 
-/** What the cells of a block give. */
+/** The results of one block. */
 struct Block
 {
   std::array<std::int64_t, 36> Histogram = {};
@@ -60,7 +62,10 @@ void ForEachBlock(std::size_t cells, double nanosecondsPerCell, const Visit& vis
     });
 }
 
-/** The least value that is no less than a share of them; the values are reordered. */
+/**
+ * The quantile: the least value that at least this share of the values does not exceed. Reorders
+ * the values.
+ */
 double Quantile(std::vector<double>& values, double share)
 {
   const auto rank =
@@ -70,7 +75,7 @@ double Quantile(std::vector<double>& values, double share)
   return *place;
 }
 
-/** Which edge of the cell (TetrahedronEdges) is between two of its points. */
+/** The index (TetrahedronEdges) of the edge between two points of a cell. */
 std::size_t EdgeOfCell(const Tetrahedron& cell, const Edge& ends)
 {
   std::size_t edge = 0;
@@ -81,7 +86,7 @@ std::size_t EdgeOfCell(const Tetrahedron& cell, const Edge& ends)
   return edge;
 }
 
-/** Goes through the solid around an edge, from a boundary face on. */
+/** Walks through the solid around an edge, from a boundary face on. */
 class WedgeWalk
 {
 public:
@@ -94,7 +99,7 @@ public:
   {
   }
 
-  /** Find the wedges that begin at a face of this cell, but those that its end has already. */
+  /** Find the wedges that begin at a face of this cell, except those found from their other end. */
   void Find(Id cell, std::vector<SharpEdge>& found) const
   {
     if (!(this->Qualities[cell].MinDihedralAngle() < this->Limit))
@@ -141,7 +146,10 @@ private:
     return other;
   }
 
-  /** The limit for a wedge that is no less, has no end, or is found from its other end. */
+  /**
+   * The angle of a wedge; the limit if it is not smaller, has no end, or is found from its other
+   * end.
+   */
   double Angle(const Side& first, const Edge& ends) const
   {
     Side side = first;

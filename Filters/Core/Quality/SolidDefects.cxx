@@ -14,20 +14,20 @@ namespace insideout
 {
 namespace
 {
-/** What the orientation of a cell takes. */
+/** The time for a cell's orientation. */
 constexpr double NanosecondsPerCell = 50;
 
-/** Faces by how many cells they are of, and how these lie. */
+/** Faces by the number of their cells, and by the positions of these. */
 struct Faces
 {
   std::vector<std::array<Id, 2>> Joints; ///< cells on both sides
   std::vector<Triangle> Boundary;
   Id Crowded = 0;
   Id Overlapping = 0;
-  Id Cut = 0; ///< quads' halves that are a triangle of another cell
+  Id Cut = 0; ///< halves of quads that are also a triangle of another cell
 };
 
-/** The cells, those of layers cut. */
+/** The cells, with layer cells cut into tetrahedra. */
 class Parts
 {
 public:
@@ -75,7 +75,7 @@ private:
   }
 
   const std::size_t Tetrahedra;
-  std::vector<Id> Cells; ///< of the parts behind the tetrahedra
+  std::vector<Id> Cells; ///< cells of the parts that follow the tetrahedra
   std::vector<std::array<bool, 4>> Halves;
 };
 
@@ -84,7 +84,10 @@ Faces FindFaces(
 {
   Faces faces;
   const FaceTable table(numberOfPoints, parts.Corners);
-  /** On which side of the face, as its sorted points run, the cell lies; 0 for a flat one. */
+  /**
+   * The side of the face, by the order of its sorted points, on which the cell lies; 0 for a flat
+   * cell.
+   */
   const auto sideOf = [&](const FaceEntry& entry)
   { return (entry.Turned ? -1 : 1) * orientations[parts.CellOf(entry.Cell)]; };
   for (std::size_t c = 0; c < parts.Corners.size(); ++c)
@@ -116,7 +119,7 @@ Faces FindFaces(
   return faces;
 }
 
-/** Number the parts that cells make up, by their first ones. */
+/** Number the connected components of cells, by their first cells. */
 void FindRegions(const std::vector<std::array<Id, 2>>& joints, SolidDefects& defects)
 {
   const std::size_t cells = defects.Orientations.size();
@@ -133,7 +136,7 @@ void FindRegions(const std::vector<std::array<Id, 2>>& joints, SolidDefects& def
   }
 }
 
-/** The triangles that have an area. */
+/** The triangles with an area. */
 std::vector<Triangle> WithArea(const std::vector<Point>& points, std::vector<Triangle> triangles)
 {
   triangles.erase(std::remove_if(triangles.begin(), triangles.end(),

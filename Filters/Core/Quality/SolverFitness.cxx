@@ -11,8 +11,8 @@
 #include <limits>
 
 // The Jacobians are those of CalculiX: Dhondt, CalculiX CrunchiX User's Manual, and its shape4tet,
-// shape10tet and shape6w. Each sum is taken in its order, so that what rounding makes of a flat
-// cell is the same.
+// shape10tet and shape6w. Sums are taken in its order, so that rounding gives the same result for a
+// flat cell.
 
 namespace insideout
 {
@@ -21,7 +21,7 @@ namespace
 /** Time per cell. */
 constexpr double NanosecondsPerCell = 100;
 
-/** CalculiX refuses cells below it, in whatever unit. */
+/** CalculiX refuses smaller ones, in any unit. */
 constexpr double SmallestJacobian = 1e-20;
 
 /** In degrees, and its sine. */
@@ -43,7 +43,7 @@ using ShapeDerivatives = std::array<std::array<double, Nodes>, 3>;
 constexpr ShapeDerivatives<4> LinearDerivatives = { { { { -1, 1, 0, 0 } }, { { -1, 0, 1, 0 } },
   { { -1, 0, 0, 1 } } } };
 
-/** Those of a quadratic cell, whose nodes are in VTK's order. */
+/** The same of a quadratic cell, whose nodes are in VTK's order. */
 ShapeDerivatives<10> QuadraticDerivatives(double xi, double eta, double zeta)
 {
   const double a = 1 - xi - eta - zeta;
@@ -63,7 +63,7 @@ std::array<ShapeDerivatives<10>, 4> QuadraticDerivativesAtPoints()
     QuadraticDerivatives(near, far, near), QuadraticDerivatives(near, near, far) } };
 }
 
-/** The two integration points of C3D6, and its derivatives there. */
+/** The two integration points of C3D6, and the derivatives there. */
 std::array<ShapeDerivatives<6>, 2> PrismDerivativesAtPoints()
 {
   constexpr double third = 0.333333333333333;
@@ -83,7 +83,7 @@ std::array<ShapeDerivatives<6>, 2> PrismDerivativesAtPoints()
 template <std::size_t Nodes>
 double Jacobian(const std::array<Point, Nodes>& nodes, const ShapeDerivatives<Nodes>& shapes)
 {
-  std::array<std::array<double, 3>, 3> m = {}; // by coordinates, and axes of the reference cell
+  std::array<std::array<double, 3>, 3> m = {}; // by coordinates and axes of the reference cell
   for (int i = 0; i < 3; ++i)
   {
     for (int j = 0; j < 3; ++j)
@@ -121,7 +121,7 @@ double LeastJacobian(
   return least;
 }
 
-/** The longest edge of the tetrahedron, or distance between any two of other corners. */
+/** The longest edge of the tetrahedron, or the largest distance between two of several corners. */
 template <std::size_t Corners>
 double LongestEdge(const std::array<Point, Corners>& corners)
 {
@@ -136,7 +136,7 @@ double LongestEdge(const std::array<Point, Corners>& corners)
   return longest;
 }
 
-/** Whether a solver takes a cell that has this least Jacobian. */
+/** Whether a solver accepts a cell with this least Jacobian. */
 Fitness FitnessOfJacobian(double jacobian, double cubeOfLongest)
 {
   return jacobian >= SmallestJacobian             ? Fitness::Good
@@ -177,7 +177,7 @@ Fitness FitnessOf(
   return QualityOfCell(corners).MinDihedralAngle() < PoorAngle ? Fitness::Poor : Fitness::Good;
 }
 
-/** Whether a triangle is so thin that a cell on it is poor. */
+/** Whether a triangle is so thin that any cell on it is poor. */
 bool IsNeedle(const std::array<Point, 3>& corners)
 {
   double longest = 0;
@@ -189,7 +189,7 @@ bool IsNeedle(const std::array<Point, 3>& corners)
   return !(area >= SineOfPoorAngle * longest * longest);
 }
 
-/** Whether cells have a needle that has to stay: on the boundary, or between regions. */
+/** Whether cells have a needle that has to stay: on the boundary or between regions. */
 class NeedleFinder
 {
 public:
@@ -240,7 +240,7 @@ std::string SomeOf(Id count, Id all)
   return count == all ? std::string("they") : std::to_string(count) + " of them";
 }
 
-/** Advice; empty where it has all been followed. */
+/** Advice; empty if all of it was followed. */
 std::string AdviceFor(const SolverFitness& fitness, CellTreatment done, bool mayRemesh)
 {
   std::string advice;

@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** Slivers of slivers are looked at too, up to this many for each candidate. */
+/** Limit of work: slivers made by splits are examined, too, up to this number per candidate. */
 constexpr std::size_t LooksPerCandidate = 100;
 
 class Collapser
@@ -39,7 +39,7 @@ private:
   SplittableFacets Facets;
   const double Radius;
   std::priority_queue<std::pair<double, Id>> Candidates; ///< by their longest edge
-  std::set<std::array<Id, 3>> Done;                      ///< edges and the points that split them
+  std::set<std::array<Id, 3>> Done;                      ///< edges with the points that split them
 };
 
 void Collapser::Enqueue(Id f)
@@ -55,8 +55,8 @@ void Collapser::Enqueue(Id f)
 }
 
 /**
- * Long edges come first: what a split leaves has no longer one, so that none comes back. Degenerate
- * facets that are left in the end are dropped.
+ * Split long edges first: parts have only shorter edges, so no sliver recurs. Remaining degenerate
+ * facets are dropped.
  */
 Replacement Collapser::Collapse(const std::vector<Id>& candidates)
 {
@@ -98,9 +98,9 @@ bool Collapser::IsCollinear(const Triangle& corners) const
 }
 
 /**
- * The corner opposite the longest edge. Among edges as long as each other it is the same one in
- * every facet, lest the facets split each other's edges in turn. Where the corners are collinear it
- * is exactly the middle one.
+ * The corner opposite the longest edge. Among equally long edges it is the same one in every facet;
+ * otherwise facets would split each other's edges in turn. If the corners are collinear, it is
+ * exactly the middle one.
  */
 int Collapser::ApexOf(const Triangle& corners) const
 {
@@ -122,7 +122,7 @@ int Collapser::ApexOf(const Triangle& corners) const
   return apex;
 }
 
-/** Whether the apex is near the longest edge, which is the opposite one. */
+/** Whether the apex is near the longest edge, which is opposite to it. */
 bool Collapser::IsSliver(const Triangle& corners, int apex) const
 {
   const Point& p = this->Points[corners[(apex + 1) % 3]];
@@ -131,8 +131,8 @@ bool Collapser::IsSliver(const Triangle& corners, int apex) const
 }
 
 /**
- * Whether to split an edge at a corner that is not exactly on it: not twice, lest two slivers turn
- * into each other for ever, and not if a part would be degenerate.
+ * Whether to split an edge at a corner that is not exactly on it: not twice, or two slivers would
+ * replace each other forever; and not if a part would be degenerate.
  */
 bool Collapser::MaySplit(const Edge& edge, Id apex)
 {

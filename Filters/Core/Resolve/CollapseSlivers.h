@@ -6,11 +6,11 @@
 namespace insideout
 {
 /**
- * Takes slivers away that rounding left: where a facet's corner lies within `radius` of its longest
- * edge, the corner becomes a point of that edge. Every other facet along the edge is split there,
- * and the sliver has no room left. No point moves, and where facets closed a volume they still do.
+ * Remove slivers that rounding made: if a facet's corner lies within `radius` of its longest edge,
+ * that edge is split there. All other facets along the edge are split at the corner, and the sliver
+ * vanishes. No point moves, and facets that closed a volume still do.
  *
- * @param[in] facets may be degenerate if they are candidates, but have three different corners
+ * @param[in] facets candidates may be degenerate, but have three different corners
  * @param[in] candidates facets that may be slivers
  * @param[in] radius in units of the points
  */

@@ -15,7 +15,7 @@ namespace insideout
 {
 namespace
 {
-/** From q to p, without rounding to doubles. */
+/** The vector from q to p, without rounding to doubles. */
 template <class Number>
 Vector<Number> VectorTo(const Point& p, const Point& q)
 {
@@ -32,7 +32,7 @@ struct Plane
   Number Height(const Vector<Number>& x) const { return Dot(this->Normal, x) - this->Offset; }
 };
 
-/** Evaluates names in one number type, relative to an origin. */
+/** Evaluates constructions in one number type, relative to an origin. */
 template <class Number>
 class Evaluator
 {
@@ -123,8 +123,7 @@ void Negate(Homogeneous<Number>& point)
   point.W = -point.W;
 }
 
-/** Bounds of the point with W surely positive; bounds that say nothing where W's sign is unknown.
- */
+/** Bounds of the point with W certainly positive; infinite bounds if the sign of W is unknown. */
 Homogeneous<Interval> Bound(
   const ConstructedPoint& name, const FacetList& surface, const Point& origin)
 {
@@ -154,7 +153,7 @@ Homogeneous<DyadicNumber> EvaluateExactly(
   return point;
 }
 
-/** The sign of an expression of points: in intervals, and exactly where those do not tell. */
+/** The sign of an expression of points: in intervals, or exactly if these do not decide. */
 template <class Expression, class... Points>
 int SignOf(const Expression& expression, const Points&... points)
 {
@@ -227,7 +226,7 @@ double NearestQuotient(const DyadicNumber& a, const DyadicNumber& b)
   {
     return 0;
   }
-  // A quotient of 55 or 56 bits whose last bit stands for all that follow rounds like the whole.
+  // A quotient of 55 or 56 bits whose last bit represents all later ones rounds like the exact one.
   const long shift = 55 - static_cast<long>(mpz_sizeinbase(numerator.get_mpz_t(), 2)) +
     static_cast<long>(mpz_sizeinbase(denominator.get_mpz_t(), 2));
   if (shift > 0)

@@ -7,8 +7,10 @@
 #include <optional>
 #include <vector>
 
-/** Points where facets meet: named by the features that meet there, evaluated in intervals, and
- * exactly if these do not decide. */
+/**
+ * Points where facets meet: named by the features that meet there, and evaluated in intervals, or
+ * exactly if these do not decide.
+ */
 namespace insideout
 {
 /** Facets whose points are constructed from. */
@@ -24,8 +26,8 @@ inline FilteredTriangle CornersOf(const FacetList& surface, Id facet)
 }
 
 /**
- * A point by its construction. Points with equal names are equal; the reverse need not hold, for an
- * edge may cross two facets in one point of both.
+ * A point by its construction. Points with equal names are equal; the reverse need not hold,
+ * because an edge may cross two facets at one common point.
  */
 struct ConstructedPoint
 {
@@ -45,7 +47,7 @@ struct ConstructedPoint
   static ConstructedPoint EdgeOnFacet(const std::array<Id, 2>& edge, Id facet);
   static ConstructedPoint TwoEdges(
     const std::array<Id, 2>& first, const std::array<Id, 2>& second, int axis);
-  /** The same, on the first as it is given. */
+  /** The same, on the first edge as it is given. */
   static ConstructedPoint OnFirstEdge(
     const std::array<Id, 2>& first, const std::array<Id, 2>& second, int axis);
   static ConstructedPoint ThreeFacets(Id a, Id b, Id c);
@@ -54,11 +56,13 @@ struct ConstructedPoint
   bool operator<(const ConstructedPoint& other) const;
 };
 
-/** The nearest doubles of the exact point; of two equally near ones the even. Equal points give
- * equal doubles, whatever their names. */
+/**
+ * The nearest doubles of the exact point; ties go to the even one. Equal points give equal doubles,
+ * whatever their names.
+ */
 Point Nearest(const ConstructedPoint& point, const FacetList& surface);
 
-/** The double nearest to a / b, of two equally near ones the even. */
+/** The double nearest to a / b; ties go to the even one. */
 double NearestQuotient(const DyadicNumber& a, const DyadicNumber& b);
 
 /** A point X / W, with W > 0. */
@@ -69,8 +73,10 @@ struct Homogeneous
   Number W;
 };
 
-/** A constructed point with its coordinates relative to an origin: in intervals at once, exactly
- * when it is asked. Not for two threads at a time. */
+/**
+ * A constructed point with its coordinates relative to an origin: in intervals at once, exactly on
+ * demand. Not thread-safe.
+ */
 class LazyPoint
 {
 public:

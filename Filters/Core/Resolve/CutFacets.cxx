@@ -10,7 +10,7 @@ namespace insideout
 {
 namespace
 {
-/** Facets of one plane and where others meet them. */
+/** Facets of one plane, and the cuts by other facets. */
 struct Group
 {
   std::vector<Id> Facets;
@@ -75,7 +75,7 @@ std::vector<PlanarSubdivision> CutFacets(const FacetList& surface,
 
   const std::vector<Group> groups = MakeGroups(surface.Facets.size(), pairs, meetings);
   std::vector<PlanarSubdivision> subdivisions(groups.size());
-  const double nanosecondsPerGroup = 8000; // of one facet and a cut or two
+  const double nanosecondsPerGroup = 8000; // of one facet with one or two cuts
   ParallelLoop(static_cast<Id>(groups.size()), nanosecondsPerGroup, monitor,
     { progress.Stage, middle, progress.End },
     [&](Id i) { subdivisions[i] = SubdividePlane(surface, groups[i].Facets, groups[i].Cuts); });

@@ -14,11 +14,16 @@ namespace insideout
 {
 namespace
 {
-/** A facet tells its plane if it is at least this many times as high as layers are thick: snapping
- * then tilts it by less than 1/100. */
+/**
+ * A facet defines its plane if its height is at least this multiple of the layers' thickness:
+ * snapping then tilts it by less than 1/100.
+ */
 constexpr double LeastHeight = 256;
 
-/** Facets of a group are this much along the axis that they are seen along: cosine of the angle. */
+/**
+ * Facets of a group are seen along one axis: least cosine of the angle between the axis and their
+ * normals.
+ */
 constexpr double LeastAlongAxis = 0.3;
 
 /** A facet and its unit normal, in doubles. */
@@ -39,7 +44,7 @@ struct Slab
     this->Area = doubleArea / 2;
   }
 
-  /** Whether all corners of the other lie within `radius` of this one's plane. */
+  /** Whether all corners of the other facet lie within `radius` of this one's plane. */
   bool Holds(const Slab& other, double radius) const
   {
     return std::all_of(other.Corners.begin(), other.Corners.end(),
@@ -72,7 +77,7 @@ bool AreInOnePlane(const FacetList& surface, Id a, Id b)
   return sides[0] == 0 && sides[1] == 0 && sides[2] == 0;
 }
 
-/** Whether all facets can be seen well along the axis that suits the first one. */
+/** Whether all facets are visible along the axis that suits the first one (LeastAlongAxis). */
 bool ShareAnAxis(const FacetList& surface, const std::vector<Id>& facets)
 {
   const int axis = ProjectionAxis(CornersOf(surface, facets[0]));
@@ -85,7 +90,7 @@ Box Around(const FacetList& surface, Id facet, double radius)
   return BoundingBox(surface.Points, surface.Facets[facet]).Widened(radius);
 }
 
-/** Facets of the pairs that cross where they should coincide: not exactly in one plane. */
+/** Facets of the pairs that cross although they should coincide: not exactly in one plane. */
 std::vector<Id> FacetsOfLayers(
   const FacetList& surface, const std::vector<std::array<Id, 2>>& pairs, double radius)
 {
@@ -101,8 +106,8 @@ std::vector<Id> FacetsOfLayers(
 }
 
 /**
- * The layers that these facets are in, to their ends: were only the facets that cross made one, the
- * next would cross after that.
+ * The full layers of these facets. If only the facets that cross were merged, those beside them
+ * would cross next.
  */
 std::vector<std::vector<Id>> SpreadOverLayers(const FacetList& surface, std::vector<Id> front,
   double radius, Monitor& monitor, const ProgressRange& progress)
@@ -158,7 +163,7 @@ std::vector<std::vector<Id>> SpreadOverLayers(const FacetList& surface, std::vec
   return groups;
 }
 
-/** Facets that are meant to coincide, and an axis along which all can be seen well. */
+/** Facets that are meant to coincide, and an axis along which all are visible. */
 struct TouchingGroup
 {
   int Axis;
@@ -166,9 +171,9 @@ struct TouchingGroup
 };
 
 /**
- * Groups of facets that pairs join. The largest facet of a group tells its axis; facets that turn
- * their sides to that, as one too thin to have a plane may, go without what they touch, to the next
- * groups.
+ * Groups of facets connected by pairs. The largest facet of a group determines its axis. Facets
+ * seen edge-on along that axis, as one too thin to have a plane may be, are left with their pairs
+ * for later groups.
  */
 std::vector<TouchingGroup> GroupTouching(
   const FacetList& surface, std::vector<std::array<Id, 2>> pairs)
@@ -200,7 +205,7 @@ std::vector<TouchingGroup> GroupTouching(
         [&](Id f) { return std::abs(slabs.at(f).Normal[axis]) >= LeastAlongAxis; });
       std::for_each(turned, facets.end(), [&](Id f) { isLeft[f] = 1; });
       facets.erase(turned, facets.end());
-      isLeft[largest] = 0; // also if doubles do not tell its plane: then nothing touches it
+      isLeft[largest] = 0; // even if doubles do not define its plane: then nothing touches it
       if (facets.size() > 1)
       {
         groups.push_back({ axis, std::move(facets) });
@@ -220,7 +225,7 @@ std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::v
 {
   std::vector<Slab> slabs;
   std::vector<Box> boxes;
-  std::vector<Id> bodyOf; // where there are none each facet is one
+  std::vector<Id> bodyOf; // if empty, each facet is a body
   slabs.reserve(among.size());
   boxes.reserve(among.size());
   bodyOf.reserve(among.size());

@@ -10,7 +10,7 @@ namespace insideout
  * All pairs of some facets that overlap nearly in one plane, within `radius` of it, crossing or
  * not. Facets too narrow to define a plane are skipped.
  *
- * @param[in] bodies of each facet of the surface, or none: pairs of one body are passed over
+ * @param[in] bodies one per facet of the surface, or empty: pairs of one body are skipped
  * @throws Error (Stopped)
  */
 std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::vector<Id>& among,
@@ -36,8 +36,8 @@ std::vector<PlanarSubdivision> CutLayers(const FacetList& surface,
   const ProgressRange& progress);
 
 /**
- * Cuts facets that are meant to coincide, however far they are apart, as CutLayers does. Where two
- * edges cross the point is put on the one of the lower facet.
+ * Cut facets that are meant to coincide, as CutLayers does, whatever their distance. If two edges
+ * cross, the point lies on the edge of the lower facet.
  *
  * @param[in] pairs facets that lie on each other
  * @return one subdivision for every group of such facets that can be seen along one axis

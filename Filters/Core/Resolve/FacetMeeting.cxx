@@ -10,7 +10,9 @@ namespace insideout
 {
 namespace
 {
-/** Adds where corners and edges of `facet` lie in `other`, which is in another plane. */
+/**
+ * Add the intersections of corners and edges of `facet` with `other`, which is in another plane.
+ */
 void AddEnds(const FacetList& surface, Id facet, Id other, std::vector<ConstructedPoint>& ends)
 {
   const FilteredTriangle corners = CornersOf(surface, facet);
@@ -31,7 +33,7 @@ void AddEnds(const FacetList& surface, Id facet, Id other, std::vector<Construct
   }
 }
 
-/** Adds the corners of `facet` that lie in `other`, which is in the same plane. */
+/** Add the corners of `facet` that lie in `other`, which is in the same plane. */
 void AddCornersWithin(
   const FacetList& surface, Id facet, Id other, std::vector<ConstructedPoint>& ends)
 {
@@ -105,7 +107,7 @@ Meeting Meet(const FacetList& surface, Id a, Id b)
   }
   else
   {
-    // Either end is where an edge or corner of one facet lies in the other.
+    // Each end lies where an edge or corner of one facet meets the other facet.
     AddEnds(surface, a, b, ends);
     AddEnds(surface, b, a, ends);
   }

@@ -14,16 +14,16 @@ namespace insideout
 {
 namespace
 {
-/** A grid in which facets take more cells than this on average is made coarser. */
+/** Limit of the mean number of cells per facet: a grid that exceeds it is made coarser. */
 constexpr std::size_t CellsPerFacet = 16;
 
 constexpr Id Several = -2; ///< sets in one cell
 
-constexpr double NanosecondsPerRange = 30; ///< for finding or visiting one
+constexpr double NanosecondsPerRange = 30; ///< for finding or visiting one range
 
 using GridPlace = std::array<std::uint16_t, 3>;
 
-/** The cells of a grid that a box reaches into. */
+/** The cells of a grid that a box meets. */
 struct CellRange
 {
   GridPlace First;
@@ -48,7 +48,7 @@ struct CellRange
     }
   }
 
-  /** In a grid of cells twice as wide. */
+  /** In a grid with cells twice as wide. */
   void Coarsen()
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -59,8 +59,10 @@ struct CellRange
   }
 };
 
-/** A grid of cubes over a box: as many along its longest side as there would be along each side of
- * a cube with a facet in each cell. */
+/**
+ * A grid of cubes over a box: the number along its longest side is the cube root of the number of
+ * facets.
+ */
 class FacetGrid
 {
 public:
@@ -71,8 +73,10 @@ public:
   {
   }
 
-  /** The cells that a cube of twice the radius reaches into. A place that comes before another
-   * along an axis is in no later cell, whatever is rounded. */
+  /**
+   * The cells that meet a cube with this center and half width. Places are assigned to cells
+   * monotonically along each axis, despite rounding.
+   */
   CellRange CellsOf(const Point& centre, double radius) const
   {
     CellRange range;
@@ -108,7 +112,7 @@ private:
   {
     const double place = (coordinate - this->Low[axis]) * this->PerLength;
     const double last = static_cast<double>(this->Size - 1);
-    return static_cast<std::uint16_t>(place > 0 ? std::min(place, last) : 0); // 0 if not a number
+    return static_cast<std::uint16_t>(place > 0 ? std::min(place, last) : 0); // 0 also for NaN
   }
 
   const Point Low;
@@ -116,7 +120,7 @@ private:
   const double PerLength;
 };
 
-/** Add a set to those of a cell: the same for any order. */
+/** Add a set to those of a cell; the order does not matter. */
 void AddTo(Id& setIn, Id set)
 {
   Id known = __atomic_load_n(&setIn, __ATOMIC_RELAXED);
@@ -127,7 +131,7 @@ void AddTo(Id& setIn, Id set)
   }
 }
 
-/** Call visit(first, last) for stretches of facets that make up all. */
+/** Call visit(first, last) for ranges that cover all facets. */
 template <class Visit>
 void ForStretches(std::size_t facets, const Visit& visit)
 {
@@ -164,7 +168,7 @@ std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
       }
       size += own;
     });
-  while (size > CellsPerFacet * facets.size()) // which ends with a single cell
+  while (size > CellsPerFacet * facets.size()) // ends at a single cell at the latest
   {
     grid.Coarsen();
     size = 0;

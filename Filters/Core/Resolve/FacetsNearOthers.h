@@ -9,10 +9,10 @@ namespace insideout
 {
 /**
  * The facets that may be near one of another set: all whose boxes, widened by `radius`, meet a box
- * of the set, and some more. A grid instead of a tree makes this cheap if few facets are near.
+ * of another set, and some more. A grid instead of a tree makes this cheap if few facets are near.
  *
  * @param[in] points finite
- * @param[in] setOf one per facet; None for facets that are passed over
+ * @param[in] setOf one per facet; None for facets to be skipped
  * @return ascending
  */
 std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,

@@ -16,16 +16,18 @@ namespace
 {
 using Pairs = std::vector<std::array<Id, 2>>;
 
-/** Facets, or parts of the tree, that a thread takes at once. */
+/** Facets, or parts of the tree, per task of a thread. */
 constexpr Id BlockSize = 256;
 
-/** A guess, of the time for each. */
+/** An estimate of the time per facet. */
 constexpr double NanosecondsPerFacet = 1000;
 
-/** For this many pairs of facets, building a tree takes as long as looking at each. */
+/** From this number of pairs of facets on, building a tree pays off. */
 constexpr std::size_t ManyPairs = 4096;
 
-/** Fewer are not cut into parts: there are too few cubes to tell by some of them whether it pays.
+/**
+ * Fewer facets are not cut into parts: they have too few cubes for a sample to tell whether it pays
+ * off.
  */
 constexpr std::size_t ManyFacets = 8192;
 
@@ -34,7 +36,9 @@ Id NumberOfBlocks(Id count)
   return (count + BlockSize - 1) / BlockSize;
 }
 
-/** Calls search(i, pairs) for every i below count, on all threads. @return what was found, sorted
+/**
+ * Call search(i, pairs) for every i below count, on all threads.
+ * @return all pairs found, sorted
  */
 template <class Search>
 Pairs Collect(Id count, double cost, Monitor& monitor, const Search& search)
@@ -51,7 +55,7 @@ Pairs Collect(Id count, double cost, Monitor& monitor, const Search& search)
   return pairs;
 }
 
-/** Compares facets whose boxes meet. */
+/** Tests facets whose boxes meet. */
 class FacetComparer
 {
 public:
@@ -87,7 +91,7 @@ private:
   const std::vector<Triangle>& Facets;
 };
 
-/** Searches the facets from firstNew on among themselves, then some others with them. */
+/** Search the facets from firstNew on among themselves, then the given old ones against them. */
 Pairs SearchNew(const FacetComparer& comparer, Id count, Id firstNew, const std::vector<Id>& others,
   Monitor& monitor)
 {
@@ -134,7 +138,7 @@ std::vector<Id> OldNearNew(
   return near;
 }
 
-/** Searches the parts of a surface: those that are no terrains, and those whose boxes meet. */
+/** Searches the parts of a surface: those that are not terrains, and pairs whose boxes meet. */
 class PartSearcher
 {
 public:
@@ -249,7 +253,7 @@ private:
 
   const FacetComparer& Comparer;
   const SurfaceParts& Surface;
-  const std::vector<Box> Boxes; ///< of the facets, part by part
+  const std::vector<Box> Boxes; ///< of the facets, in the order of the parts
   std::vector<Box> BoxesOfParts;
 };
 } // namespace

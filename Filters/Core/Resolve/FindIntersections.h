@@ -19,8 +19,10 @@ namespace insideout
 std::vector<std::array<Id, 2>> FindIntersections(
   const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);
 
-/** The same, but only the pairs of facets of different sets. Costs little where few are near.
- * @param[in] setOf one per facet, at least 0 */
+/**
+ * The same, but only the pairs of facets of different sets. Fast if few are near each other.
+ * @param[in] setOf one per facet, at least 0
+ */
 std::vector<std::array<Id, 2>> FindIntersectionsBetween(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, const std::vector<Id>& setOf, Monitor& monitor);
 

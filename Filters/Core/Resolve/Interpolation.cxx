@@ -21,7 +21,7 @@ DyadicNumber Area(const Point& a, const Point& b, const Point& c, int axis)
     (DyadicNumber(b[y]) - a[y]) * (DyadicNumber(c[x]) - a[x]);
 }
 
-/** Exact, for in a sliver doubles would not even give the signs. */
+/** Exact, because in a sliver doubles would not even give the signs. */
 std::array<double, 3> WeightsInPlane(const std::array<Point, 3>& triangle, const Point& p)
 {
   const std::array<Point, 3>& t = triangle;

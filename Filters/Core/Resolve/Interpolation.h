@@ -6,9 +6,9 @@
 namespace insideout
 {
 /**
- * Barycentric weights of a point in a triangle: of the point itself where, seen along the axis
- * nearest to the normal, it lies in the triangle, and else of the nearest point on an edge. All
- * are in [0, 1], and they sum to 1.
+ * Barycentric weights of a point in a triangle. They are those of the point itself if it lies in
+ * the triangle, seen along the axis nearest to the normal; else those of the nearest point on an
+ * edge. All are in [0, 1], and they sum to 1.
  *
  * @param[in] triangle not degenerate
  * @param[in] p in the triangle up to rounding

@@ -16,7 +16,7 @@ bool Apart(const std::array<int, 3>& sides)
   return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
 }
 
-/** Corner of `b` that is corner k of `a` by id, None for none. */
+/** The corner of `b` with the same id as corner k of `a`, None for none. */
 std::array<int, 3> SharedCorners(const Triangle& a, const Triangle& b)
 {
   std::array<int, 3> shared;
@@ -27,7 +27,10 @@ std::array<int, 3> SharedCorners(const Triangle& a, const Triangle& b)
   return shared;
 }
 
-/** Whether all corners that are not shared lie on one side, so that nothing else is. */
+/**
+ * Whether all corners that are not shared lie strictly on one side, so that the triangles meet
+ * nowhere else.
+ */
 bool Apart(const std::array<int, 3>& sides, const std::array<int, 3>& shared)
 {
   int low = 1;
@@ -43,7 +46,7 @@ bool Apart(const std::array<int, 3>& sides, const std::array<int, 3>& shared)
   return low == high && low != 0;
 }
 
-/** SidesOfPlane, but a corner that both share is on the plane without asking. */
+/** SidesOfPlane, except that a shared corner counts as on the plane without a predicate. */
 std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const FilteredTriangle& other,
   const std::array<int, 3>& sharedOfOther)
 {
@@ -60,7 +63,7 @@ std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const Filtered
 
 /**
  * Whether a segment and a triangle of one plane meet: they do unless the line of one of the four
- * edges keeps them apart.
+ * edges separates them.
  */
 bool SegmentMeetsInPlane(
   const FilteredPoint& p, const FilteredPoint& q, const FilteredTriangle& triangle)
@@ -82,7 +85,10 @@ bool SegmentMeetsInPlane(
     CGAL::orientation(first, last, image[1]), CGAL::orientation(first, last, image[2]) });
 }
 
-/** Whether the segment from p to q, on these sides of the triangle's plane, meets the triangle. */
+/**
+ * Whether the segment from p to q, whose ends lie on these sides of the triangle's plane, meets the
+ * triangle.
+ */
 bool SegmentMeets(const FilteredPoint& p, int sideOfP, const FilteredPoint& q, int sideOfQ,
   const FilteredTriangle& triangle)
 {
@@ -102,9 +108,9 @@ bool SegmentMeets(const FilteredPoint& p, int sideOfP, const FilteredPoint& q, i
 }
 
 /**
- * Whether an edge of `a` meets `b`; `sides` are those of a's corners. Where a corner is shared, the
- * edges at it are passed over: what the triangles have in common beyond that corner reaches from it
- * to the opposite edge of one of them.
+ * Whether an edge of `a` meets `b`; `sides` are those of a's corners. Edges at a shared corner are
+ * skipped: any further intersection extends from that corner to the opposite edge of one of the
+ * triangles.
  */
 bool EdgeMeets(const FilteredTriangle& a, const std::array<int, 3>& sides,
   const std::array<int, 3>& shared, const FilteredTriangle& b)
@@ -121,7 +127,7 @@ bool EdgeMeets(const FilteredTriangle& a, const std::array<int, 3>& sides,
   return false;
 }
 
-/** The corners of a triangle, where they are. */
+/** The corners of a triangle, by their coordinates. */
 class CornersInPlace
 {
 public:
@@ -154,7 +160,10 @@ struct Estimate
   double Error;
 };
 
-/** Far above what a few operations lose, relative to the terms and where they underflow. */
+/**
+ * Bound, relative to the terms, far above the rounding errors of a few operations; and the limit of
+ * underflow.
+ */
 constexpr double RelativeError = 16 * std::numeric_limits<double>::epsilon();
 constexpr double Underflow = 16 * std::numeric_limits<double>::min();
 
@@ -168,9 +177,9 @@ Estimate Along(const std::array<double, 3>& direction, const Point& origin, cons
 }
 
 /**
- * Whether triangles with at most one shared corner are clearly apart beyond it: a plane across the
- * line between their centers, through that corner, has one on either side. Spares neighbors in one
- * plane the exact arithmetic. Where overflow leaves no number it compares as false, which is safe.
+ * Whether triangles with at most one shared corner are certainly apart beyond it. A plane through
+ * that corner, across the line between their centers, then separates them. This spares coplanar
+ * neighbors the exact arithmetic. NaN after overflow compares as false, which is safe.
  */
 bool ClearlyApart(const CornersInPlace& a, const std::array<int, 3>& sharedOfA,
   const CornersInPlace& b, const std::array<int, 3>& sharedOfB)
@@ -215,7 +224,8 @@ bool ClearlyApart(const CornersInPlace& a, const std::array<int, 3>& sharedOfA,
 }
 
 /**
- * Whether triangles with a common edge lie clearly on either side of its line, seen along an axis.
+ * Whether triangles with a common edge lie certainly on different sides of its line, seen along an
+ * axis.
  */
 bool ClearlyOnEitherSide(const Point& p, const Point& q, const Point& r, const Point& s)
 {
@@ -258,7 +268,7 @@ bool Meet(const Triangle& a, const CornersInPlace& placesOfA, const Triangle& b,
     {
       return false;
     }
-    // Where they lie in two planes they have only the edge in common, too.
+    // In two planes they have only the edge in common, too.
     const FilteredTriangle p = placesOfA.ToFiltered();
     const FilteredTriangle q = placesOfB.ToFiltered();
     return CGAL::coplanar(p[0], p[1], p[2], q[apexOfB]) && OverlapInPlane(p, q);

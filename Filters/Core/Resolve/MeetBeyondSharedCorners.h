@@ -9,12 +9,13 @@ namespace insideout
 {
 /**
  * Whether two triangles meet in more than the corners, and the edge between them, that they share
- * by id. Equal coordinates under two ids are no shared corner. The three ids must not all agree.
+ * by id. Equal coordinates under two ids do not make a shared corner. The three ids must not all
+ * agree.
  */
 bool MeetBeyondSharedCorners(
   const std::vector<Point>& points, const Triangle& a, const Triangle& b);
 
-/** The same of triangles by ids and places. */
+/** The same, for triangles given by ids and coordinates. */
 bool MeetBeyondSharedCorners(const Triangle& a, const std::array<Point, 3>& placesOfA,
   const Triangle& b, const std::array<Point, 3>& placesOfB);
 } // namespace insideout

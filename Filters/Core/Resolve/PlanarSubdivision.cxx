@@ -19,26 +19,31 @@ namespace
 {
 using Corners = std::array<VertexHandle, 3>;
 
-/** Flips towards Delaunay end by themselves but where doubles contradict one another. */
+/**
+ * Limit of flips: flips to a Delaunay triangulation terminate unless rounded tests contradict each
+ * other.
+ */
 constexpr std::size_t FlipsPerEdge = 20;
 
-/** With more vertices, walks to new ones through slivers take most of the time. */
+/** From this number of vertices on, walks to new ones through slivers dominate the time. */
 constexpr std::size_t ManyVertices = 256;
 
-/** Rounding errs by some 1e-15 of the terms: points nearly on a circle are not in it, lest an edge
- * is flipped to and fro. */
+/**
+ * Relative rounding error is some 1e-15: points nearly on a circle count as outside, so no edge is
+ * flipped back and forth.
+ */
 constexpr double LeastInCircle = 1e-12;
 
-/** A segment between two vertices: an edge of a facet, or the section with one. */
+/** A segment between two vertices: an edge of a facet, or its intersection with another. */
 struct Constraint
 {
   VertexHandle First;
   VertexHandle Last;
-  Id Facet;               ///< None for one between corners:
+  Id Facet;               ///< None for a segment between corners:
   std::array<Id, 2> Edge; ///< these
   std::array<double, 2> Low;
   std::array<double, 2> High;
-  std::multimap<double, VertexHandle> Along; ///< the vertices on it, by about where along WideAxis
+  std::multimap<double, VertexHandle> Along; ///< its vertices, by position along WideAxis
 
   int WideAxis() const
   {
@@ -57,7 +62,7 @@ class Subdivider
 public:
   Subdivider(const FacetList& surface, Id host);
 
-  /** Edges that cross do so on the one that was added before. */
+  /** The later of two crossing edges gets its crossing on the earlier one. */
   Subdivider(const FacetList& surface, Id host, int axis);
 
   void AddFacet(Id facet);
@@ -88,7 +93,7 @@ private:
   void AddSource(FaceHandle face, const PieceSource& source);
 
   const FacetList& Surface;
-  const Id Host; ///< the facet whose plane this is
+  const Id Host; ///< the facet that defines the plane
   const int Axis;
   const bool PrefersFirst = false;
   Triangulation Cells;
@@ -97,7 +102,7 @@ private:
   std::vector<Corners> Triangles;
   std::vector<Id> Facets; ///< one per triangle
   std::vector<Constraint> Constraints;
-  std::map<std::array<Id, 2>, Id> Edges; ///< of the facets, by their points, to their constraints
+  std::map<std::array<Id, 2>, Id> Edges; ///< of the facets, by their points, with their constraints
   PlanarSubdivision Result;
 };
 
@@ -106,7 +111,7 @@ CGAL::Orientation OrientationOf(const Corners& triangle)
   return Orient(triangle[0]->point(), triangle[1]->point(), triangle[2]->point());
 }
 
-/** Whether a face, which no edge of the triangle cuts, lies in the triangle. */
+/** Whether a face, which no edge of the triangle cuts, lies inside the triangle. */
 bool IsInside(FaceHandle face, const Corners& triangle, CGAL::Orientation orientation)
 {
   for (int k = 0; k < 3; ++k)
@@ -123,7 +128,7 @@ bool IsInside(FaceHandle face, const Corners& triangle, CGAL::Orientation orient
   return true;
 }
 
-/** The middle of the bounds of a site. */
+/** The midpoint of a site's bounds. */
 std::array<double, 2> Near(const PlanarSite& site)
 {
   const auto& range = site.Range;
@@ -150,7 +155,7 @@ Subdivider::Subdivider(const FacetList& surface, Id host, int axis)
 {
 }
 
-/** The vertex at a point, which lies on these lines, some of which may be None. */
+/** The vertex at a point, which lies on the given lines; some of these may be None. */
 VertexHandle Subdivider::AddPoint(const ConstructedPoint& point, std::initializer_list<Id> lines)
 {
   VertexHandle vertex;
@@ -189,8 +194,8 @@ VertexHandle Subdivider::AddPoint(const ConstructedPoint& point, std::initialize
 }
 
 /**
- * Inserts a site. Where there are many, the walk to its place begins at a neighbor, through
- * triangles that are smooth already: else it would pass through most of them.
+ * Insert a site. If there are many vertices, the walk to it begins at a neighbor and passes through
+ * smoothed triangles; otherwise it would pass through most of them.
  */
 VertexHandle Subdivider::Insert(PlanarSite& site, std::initializer_list<Id> lines)
 {
@@ -210,8 +215,10 @@ VertexHandle Subdivider::Insert(PlanarSite& site, std::initializer_list<Id> line
   return vertex;
 }
 
-/** The vertex on these lines that is about nearest to a site, or none: the walk from there is
- * short. */
+/**
+ * The vertex on the given lines that is nearest to a site, approximately, or none: the walk from
+ * there is short.
+ */
 VertexHandle Subdivider::NearestKnown(const PlanarSite& site, std::initializer_list<Id> lines) const
 {
   const std::array<double, 2> place = Near(site);
@@ -248,7 +255,7 @@ VertexHandle Subdivider::NearestKnown(const PlanarSite& site, std::initializer_l
   return nearest;
 }
 
-/** The line of a facet's edge that the point is on by its name, None for none. */
+/** The facet's edge on which the point lies by its name, None for none. */
 Id Subdivider::LineOfEdge(const ConstructedPoint& point) const
 {
   if (point.Kind != ConstructedPoint::Type::EdgeOnFacet)
@@ -312,9 +319,9 @@ void Subdivider::AddCut(const Cut& cut)
 }
 
 /**
- * Adds the points where two constraints cross in their interiors. Named after the facets and edges
- * that meet there and not after parts of them, which keeps the numbers short. After that the
- * triangulation need not construct a point any more: it splits constraints at vertices by itself.
+ * Add the points where two constraints cross in their interiors. They are named after the facets
+ * and edges that meet, not after their parts, which keeps numbers short. Afterwards the
+ * triangulation constructs no points: it splits constraints at existing vertices.
  */
 void Subdivider::AddCrossings()
 {
@@ -369,8 +376,7 @@ ConstructedPoint Subdivider::NameOfCrossing(const Constraint& a, const Constrain
                          : ConstructedPoint::EdgeOnFacet(b.Edge, a.Facet);
 }
 
-/** Whether s lies in the circle through p, q and r, which run counter-clockwise, as far as doubles
- * tell. */
+/** Whether s lies inside the circle through p, q and r, which run counter-clockwise; in doubles. */
 bool SeemsInCircle(const std::array<double, 2>& p, const std::array<double, 2>& q,
   const std::array<double, 2>& r, const std::array<double, 2>& s)
 {
@@ -396,7 +402,7 @@ bool SeemsInCircle(const std::array<double, 2>& p, const std::array<double, 2>& 
   return determinant > LeastInCircle * size;
 }
 
-/** Whether the edge opposite to a face's corner is to be flipped, and can be. */
+/** Whether the edge opposite to a face's corner should and can be flipped. */
 bool Subdivider::WantsFlip(FaceHandle face, int index) const
 {
   const FaceHandle neighbor = face->neighbor(index);
@@ -414,7 +420,7 @@ bool Subdivider::WantsFlip(FaceHandle face, int index) const
     Orient(apex->point(), opposite->point(), right->point()) == CGAL::LEFT_TURN;
 }
 
-/** Flips the edge opposite to a face's corner. The outer edges stay constrained or free. */
+/** Flip the edge opposite to a face's corner. The outer edges stay constrained or free. */
 void Subdivider::Flip(FaceHandle face, int index)
 {
   const FaceHandle neighbor = face->neighbor(index);
@@ -431,7 +437,10 @@ void Subdivider::Flip(FaceHandle face, int index)
   }
 }
 
-/** Flips edges towards Delaunay. Doubles may disagree with themselves, so the flips are counted. */
+/**
+ * Flip edges to a Delaunay triangulation. Rounded tests may contradict each other, so the number of
+ * flips is limited.
+ */
 void Subdivider::Smooth(std::vector<Triangulation::Edge> edges)
 {
   std::size_t flips = FlipsPerEdge * edges.size();
@@ -457,7 +466,7 @@ void Subdivider::Smooth(std::vector<Triangulation::Edge> edges)
 
 void Subdivider::SmoothAll()
 {
-  // Not by CGAL's iterator over edges, whose order depends on addresses.
+  // CGAL's iterator over edges is unsuitable: its order depends on addresses.
   std::vector<Triangulation::Edge> edges;
   for (const FaceHandle face : this->Cells.finite_face_handles())
   {
@@ -469,7 +478,7 @@ void Subdivider::SmoothAll()
   this->Smooth(std::move(edges));
 }
 
-/** Smooths around a new vertex. */
+/** Flip edges around a new vertex. */
 void Subdivider::SmoothAround(VertexHandle vertex)
 {
   if (this->Cells.dimension() < 2)
@@ -513,7 +522,7 @@ void Subdivider::AddSource(FaceHandle face, const PieceSource& source)
   this->Result.Pieces[piece].Sources.push_back(source);
 }
 
-/** Spreads over each triangle from a face at its first corner. */
+/** Flood each triangle from a face at its first corner. */
 void Subdivider::FindPieces()
 {
   std::vector<FaceHandle> front;

@@ -12,10 +12,10 @@ struct Cut
 {
   ConstructedPoint First;
   ConstructedPoint Last; ///< equal to First for a single point
-  Id Facet = None;       ///< whose plane the segment is in; None where it joins two corners
+  Id Facet = None;       ///< facet whose plane contains the segment; None if it joins two corners
 };
 
-/** A facet that a piece is part of, and whether the piece runs the other way. */
+/** A facet that contains a piece, and whether the piece has the opposite orientation. */
 struct PieceSource
 {
   Id Facet;
@@ -56,8 +56,8 @@ PlanarSubdivision SubdividePlane(
   const FacetList& surface, const std::vector<Id>& facets, const std::vector<Cut>& cuts);
 
 /**
- * The same of facets that are meant to coincide, as they look along an axis to which none turns its
- * side. The point where two edges cross is on that of the lower facet.
+ * The same for facets that are meant to coincide, as seen along an axis to which all are visible.
+ * The point where two edges cross lies on the edge of the lower facet.
  */
 PlanarSubdivision SubdivideAlong(int axis, const FacetList& surface, const std::vector<Id>& facets);
 } // namespace insideout

@@ -25,20 +25,24 @@ namespace insideout
 {
 namespace
 {
-/** Rounds after which what still crosses is left out. Most real models take one to three. With
- * SnappingRadius it bounds how far points move, by 1e-12 of the largest coordinate. */
+/**
+ * Limit of rounds; facets that still cross are left out. Most real models take one to three rounds.
+ * With SnappingRadius it limits the movement of points to 1e-12 of the largest coordinate.
+ */
 constexpr int MaximumRounds = 10;
 
-/** Rounds without fewer crossings than ever before, after which no more are tried. */
+/** Stop after this number of rounds without a new minimum of crossings. */
 constexpr int Patience = 6;
 
-/** Where crossings become this many times more than they once were, cutting makes things worse:
- * facets in nearly one plane, that cross along ever more lines. */
+/**
+ * Stop when there are this many times more crossings than the minimum: facets in nearly one plane
+ * may cross along ever more lines.
+ */
 constexpr std::size_t Divergence = 4;
 
 /**
- * Facets to leave out so that none of the pairs is left whole: again and again the one in most
- * pairs, of several the last.
+ * The facets to leave out so that each pair loses one. Greedily, the facet in most pairs comes
+ * first; on ties the last facet.
  */
 std::vector<Id> CoverOf(std::vector<std::array<Id, 2>> pairs)
 {
@@ -98,10 +102,10 @@ private:
 
   WorkingSurface Now;
 
-  PointIndex Positions{ 0 };  ///< of all points where some were cut
-  std::vector<char> HasPlace; ///< per point: it is among these
-  PointIndex Nearby{ 0 };     ///< the points that new ones of this round may snap to
-  PointIndex Moved{ 0 };      ///< by where they were: the points that were snapped in this round
+  PointIndex Positions{ 0 };  ///< all points near the cuts
+  std::vector<char> HasPlace; ///< per point: whether it is among these
+  PointIndex Nearby{ 0 };     ///< points that new points of this round may snap to
+  PointIndex Moved{ 0 };      ///< points snapped in this round, by their former positions
 };
 
 Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
@@ -140,7 +144,7 @@ Resolution Resolver::Resolve(
   return resolution;
 }
 
-/** Cuts until nothing crosses, or else goes back to where the fewest facets crossed. */
+/** Cut until nothing crosses; otherwise restore the round with the fewest crossing facets. */
 void Resolver::CutRepeatedly()
 {
   std::optional<WorkingSurface> best;
@@ -148,7 +152,7 @@ void Resolver::CutRepeatedly()
   while (!this->Now.Crossings.empty() && this->Round < MaximumRounds)
   {
     ++this->Round;
-    // How many rounds there will be is unknown: each takes half of the progress that is left.
+    // The number of rounds is unknown: each takes half of the remaining progress.
     const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
     const double end = 1 - std::ldexp(1.0, -this->Round);
     this->MergeLayers(this->Now.Crossings);
@@ -180,7 +184,7 @@ void Resolver::CutRepeatedly()
   }
 }
 
-/** Makes layers one: of the pairs of facets those that lie in nearly one plane. */
+/** Merge layers: facets of these pairs that lie in nearly one plane. */
 void Resolver::MergeLayers(const std::vector<std::array<Id, 2>>& pairs)
 {
   const double radius = SnappingRadius(this->Size);
@@ -195,7 +199,7 @@ void Resolver::MergeLayers(const std::vector<std::array<Id, 2>>& pairs)
   }
 }
 
-/** Puts pieces in the places of facets, and splits the facets along their edges alike. */
+/** Replace facets by their pieces, and split their neighbors along the shared edges alike. */
 void Resolver::TakeAlike(const std::vector<PlanarSubdivision>& subdivisions, double radius)
 {
   const std::vector<std::vector<Id>> ids = this->TakePieces(subdivisions, radius);
@@ -208,7 +212,7 @@ void Resolver::TakeAlike(const std::vector<PlanarSubdivision>& subdivisions, dou
   this->Now.Apply(SplitAlike(this->Now.Points, this->Now.Facets, chains));
 }
 
-/** Makes facets one that are meant to coincide. */
+/** Merge facets that are meant to coincide. */
 void Resolver::MergeTouching(const TouchingFacets& touching)
 {
   if (touching.Pairs.empty())
@@ -222,7 +226,7 @@ void Resolver::MergeTouching(const TouchingFacets& touching)
   this->Now.FindCrossings(this->Watch);
 }
 
-/** Cuts the facets that cross. */
+/** Cut the facets that cross. */
 void Resolver::Cut(const ProgressRange& progress)
 {
   this->Watch.Check(Stages::Resolving, progress.Begin);
@@ -233,8 +237,8 @@ void Resolver::Cut(const ProgressRange& progress)
 }
 
 /**
- * Puts pieces in the places of the facets that are subdivided. New points within the radius of a
- * facet's corner, or of one another, become one.
+ * Replace the subdivided facets by their pieces. New points within the radius of a facet's corner,
+ * or of each other, are merged.
  * @return the ids of the points, by subdivision
  */
 std::vector<std::vector<Id>> Resolver::TakePieces(
@@ -255,7 +259,7 @@ std::vector<std::vector<Id>> Resolver::TakePieces(
   return ids;
 }
 
-/** Notes the points that new ones may be on: these stay, rounded, in the box of what is cut. */
+/** Record the rounded points, in the box of all cuts, that new points may coincide with. */
 void Resolver::TakePositions(const std::vector<char>& isCut)
 {
   Box box = Box::Empty();
@@ -296,7 +300,7 @@ void Resolver::PrepareSnapping(const std::vector<char>& isCut, double radius)
 }
 
 /**
- * Gives every point of the subdivisions a place: each name is rounded once.
+ * Give every point of the subdivisions a position: each name is rounded once.
  * @return the ids of the points, by subdivision
  */
 std::vector<std::vector<Id>> Resolver::PlacePoints(
@@ -341,7 +345,9 @@ std::vector<std::vector<Id>> Resolver::PlacePoints(
   return ids;
 }
 
-/** The id of the point at p: one that stands there, or in later rounds near there, or a new one. */
+/**
+ * The id of the point at p: an existing one there, in later rounds also one near it, or a new one.
+ */
 Id Resolver::PlacePoint(const Point& p, Id root)
 {
   const Id known = this->Positions.Find(p);
@@ -367,7 +373,7 @@ Id Resolver::PlacePoint(const Point& p, Id root)
   return id;
 }
 
-/** The pieces with their points placed; those that have one twice are nothing. */
+/** The pieces with their points placed, without those that have a point twice. */
 std::vector<MeantFacet> Resolver::PlacedPieces(
   const std::vector<PlanarSubdivision>& subdivisions, const std::vector<std::vector<Id>>& ids) const
 {
@@ -397,7 +403,7 @@ std::vector<MeantFacet> Resolver::PlacedPieces(
   return facets;
 }
 
-/** Makes new points of some facets one with corners of them that are too near. */
+/** Merge new points of some facets with corners of these facets that are too near. */
 void Resolver::MergePoints(const std::vector<Id>& candidates)
 {
   std::vector<Id> points;
@@ -447,7 +453,7 @@ void Resolver::MergePoints(const std::vector<Id>& candidates)
   this->Collapse(this->Now.DegenerateFacets());
 }
 
-/** Collapses slivers among some facets. */
+/** Collapse slivers among some facets. */
 void Resolver::Collapse(const std::vector<Id>& candidates, double radius)
 {
   if (candidates.empty())

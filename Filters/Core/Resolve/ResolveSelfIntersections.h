@@ -31,24 +31,25 @@ struct TouchingFacets
 };
 
 /**
- * Stage pre: cut facets where they meet other than in shared points and edges, so that none do any
- * more (the pre-processing of thesis, chapter 8). Cutting is exact; then new points are rounded to
- * doubles, slivers without room are collapsed, and facets that cross after that are cut again.
- * Layers that cross because they coincide only up to rounding become one before. Input points keep
- * their coordinates and come first, in their order. No point lies within a constraint or an edge of
- * one, not even an unused point.
+ * Stage pre: cut facets where they meet other than in shared points and edges, until none do (the
+ * pre-processing of thesis, chapter 8). Cutting is exact. Then new points are rounded to doubles,
+ * slivers are collapsed, and facets that cross afterwards are cut again. Layers that cross because
+ * they coincide only up to rounding are merged first. Input points keep their coordinates and come
+ * first, in their order. No point, not even an unused one, lies within a constraint or an edge of
+ * one.
  *
- * Pieces that coincide become one facet with all sources and the sum of the multiplicities; where
- * rounding folded a triangle onto itself, its piece and the reverse of that cancel. Facets that
- * still cross after the last round stand behind Surface.NumberOfConstraints.
+ * Pieces that coincide become one facet with all sources and the sum of the multiplicities. If
+ * rounding folds a triangle onto itself, its opposite pieces cancel. Facets that still cross after
+ * the last round follow Surface.NumberOfConstraints.
  *
  * @param[in] surface a validated complex
  * @param[in] known is not searched again
- * @param[in] touching facets become one along each other's edges, as if they were in one plane.
- * Points of the surface stay; of a pair the first has its shape, and the second is bent to it
- * @param[in] mayTouch facets that become one where they coincide up to rounding also if none of
- * them cross; they take a search of their own
- * @throws Error TooLarge where facets coincide more often than a multiplicity can count, Stopped
+ * @param[in] touching facets are merged along each other's edges, as if they were in one plane.
+ * Points of the surface stay; the first facet of a pair keeps its shape, and the second is bent to
+ * it
+ * @param[in] mayTouch facets that are merged if they coincide up to rounding, even if none of them
+ * cross; they take a search of their own
+ * @throws Error TooLarge if facets coincide more often than a multiplicity can count, Stopped
  */
 Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor,
   const KnownCrossings& known = {}, const TouchingFacets& touching = {},

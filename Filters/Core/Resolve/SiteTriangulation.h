@@ -37,11 +37,11 @@ struct PlanarSite
   }
 
   LazyPoint Position;
-  std::array<std::array<double, 2>, 2> Range; ///< surely around the point, seen along the axis
+  std::array<std::array<double, 2>, 2> Range; ///< certainly around the point, seen along the axis
   std::vector<Id> Lines;
 };
 
-/** Whether three points lie on a line by construction, which no arithmetic need confirm. */
+/** Whether three points lie on a line by construction, so that no predicate is needed. */
 inline bool ShareALine(const PlanarSite& p, const PlanarSite& q, const PlanarSite& r)
 {
   return std::any_of(
@@ -72,7 +72,7 @@ inline CGAL::Comparison_result CompareAlong(const SitePoint& p, const SitePoint&
                     Compare(p.Where->Position, q.Where->Position, (p.Axis + coordinate) % 3));
 }
 
-/** The predicates that CGAL's triangulations ask for, on sites. */
+/** The predicates that CGAL's triangulations require, for sites. */
 struct SiteTraits
 {
   using Point_2 = SitePoint;
@@ -114,7 +114,7 @@ struct SiteTraits
   Construct_point_2 construct_point_2_object() const { return {}; }
 };
 
-/** The index of a vertex or piece; unlike a bare Id it begins as None. */
+/** The index of a vertex or piece; unlike a plain Id it is None by default. */
 struct Index
 {
   Id Value = None;

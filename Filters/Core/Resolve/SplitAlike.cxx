@@ -10,10 +10,10 @@ namespace insideout
 {
 namespace
 {
-/** Doubles may contradict themselves about what lies where, so that the splits are counted. */
+/** Limit of splits, because rounded positions may contradict each other. */
 constexpr std::size_t SplitsPerEdge = 20;
 
-/** The directed edges along the boundary of a facet's pieces, by where they begin. */
+/** The directed boundary edges of a facet's pieces, by their starts. */
 using Boundary = std::map<Id, Id>;
 
 /** The boundary of the pieces of each facet of a subdivision, in the subdivision's points. */
@@ -55,14 +55,14 @@ std::map<Id, Boundary> BoundariesOf(const PlanarSubdivision& subdivision)
   return boundaries;
 }
 
-/** How far along an edge a point is, as far as doubles tell. */
+/** The position of a point along an edge, in doubles. */
 double Along(const std::vector<Point>& points, const Edge& edge, Id p)
 {
   const Point& from = points[edge[0]];
   return Dot(Difference(points[p], from), Difference(points[edge[1]], from));
 }
 
-/** Orders the points on an edge from its first end to its last, and takes the ends away. */
+/** Sort the points on an edge from its first end to its last, and remove the ends. */
 std::vector<Id> InOrder(const std::vector<Point>& points, const Edge& edge, std::vector<Id> on)
 {
   const auto place = [&](Id p) { return std::make_pair(Along(points, edge, p), p); };
@@ -73,7 +73,7 @@ std::vector<Id> InOrder(const std::vector<Point>& points, const Edge& edge, std:
   return on;
 }
 
-/** What stands between two points of a list that has the ends of its edge in front and behind. */
+/** The points between two others in a list that includes the ends of its edge. */
 std::vector<Id> Between(const std::vector<Id>& all, Id p, Id q)
 {
   const auto first = std::find(all.begin(), all.end(), p);
@@ -81,7 +81,10 @@ std::vector<Id> Between(const std::vector<Id>& all, Id p, Id q)
   return { std::min(first, last) + 1, std::max(first, last) };
 }
 
-/** The points to split each edge at: on whole edges, and on steps of a chain that others split. */
+/**
+ * The points that split each edge: edges of facets, and edges between points of a chain that other
+ * chains split.
+ */
 std::map<Edge, std::vector<Id>> PointsWithin(
   const std::vector<Point>& points, const std::vector<EdgeChain>& chains)
 {
@@ -169,7 +172,7 @@ Replacement SplitAlike(const std::vector<Point>& points, const std::vector<Trian
       splittable.Split(EdgeBetween(from, edge[1]), p);
       from = p;
     }
-    // Edges of several chains may lie on each other: what came about may have to be split as well.
+    // Edges of several chains may overlap: the new edges may need splitting, too.
     from = edge[0];
     for (std::size_t i = 0; i <= inside.size() && !inside.empty(); ++i)
     {

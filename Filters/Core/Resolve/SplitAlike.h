@@ -21,9 +21,9 @@ struct EdgeChain
 std::vector<EdgeChain> ChainsOf(const PlanarSubdivision& subdivision, const std::vector<Id>& ids);
 
 /**
- * Splits facets so that all along an edge have the same points on it, all of its chains'.
+ * Split facets so that all facets along an edge have the same points on it: those of all chains.
  *
- * @param[in] facets with the pieces, and with those that still have the edges whole
+ * @param[in] facets including the pieces, and the facets that still have whole edges
  */
 Replacement SplitAlike(const std::vector<Point>& points, const std::vector<Triangle>& facets,
   const std::vector<EdgeChain>& chains);

@@ -15,7 +15,7 @@ namespace insideout
 {
 namespace
 {
-/** The points that no constraint has, ascending. */
+/** The points that belong to no constraint, ascending. */
 std::vector<Id> FindLoosePoints(const FacetComplex& surface)
 {
   std::vector<char> isCorner(surface.Points.size(), 0);
@@ -35,7 +35,7 @@ std::vector<Id> FindLoosePoints(const FacetComplex& surface)
   return loose;
 }
 
-/** Whether a point lies in a triangle or on an edge of it, but not where a corner is. */
+/** Whether a point lies in a triangle or on its edges, excluding positions of the corners. */
 bool LiesWithin(const std::vector<Point>& points, const Triangle& t, Id p)
 {
   const FilteredTriangle triangle = ToFiltered(points, t);
@@ -45,7 +45,7 @@ bool LiesWithin(const std::vector<Point>& points, const Triangle& t, Id p)
     ContainsInPlane(triangle, point);
 }
 
-/** The points that lie within a triangle, in their order. */
+/** The points within a triangle, in their order. */
 std::vector<Id> PointsWithin(
   const std::vector<Point>& points, const Triangle& triangle, const std::vector<Id>& some)
 {
@@ -55,7 +55,7 @@ std::vector<Id> PointsWithin(
   return within;
 }
 
-/** The triangle in pieces around the first of the points within it, these around theirs, ... */
+/** The pieces of a triangle around its first inner point, recursively. */
 std::vector<Triangle> PiecesAround(const std::vector<Point>& points, const Triangle& triangle,
   std::vector<Id> inner, const std::function<void()>& check)
 {
@@ -92,7 +92,7 @@ std::vector<Triangle> PiecesAround(const std::vector<Point>& points, const Trian
   return pieces;
 }
 
-/** Constraints and what takes their places. */
+/** Constraints and their replacements. */
 struct SplitConstraint
 {
   Id Facet;
@@ -126,7 +126,7 @@ std::vector<SplitConstraint> SplitConstraints(
       });
     if (!inner.empty())
     {
-      // The lowest of equal points becomes a corner, in each constraint.
+      // The lowest of coincident points becomes a corner, in each constraint.
       std::sort(inner.begin(), inner.end());
       split.push_back({ f,
         PiecesAround(surface.Points, surface.Facets[f], std::move(inner),

@@ -8,15 +8,15 @@
 namespace insideout
 {
 /**
- * Split constraints at the points that no constraint has, where these lie in them: exactly, within
- * a constraint or within an edge of one. All constraints along an edge are split at the same
- * points, so closed chains stay closed. Nothing crosses that did not before.
+ * Split constraints at the points that belong to no constraint but lie exactly within one, or
+ * within an edge of one. All constraints along an edge are split at the same points, so closed
+ * chains stay closed. No new crossing arises.
  *
- * Such a point is a corner of slivers that collapsed, or of facets that are no constraints any
- * more. The tetrahedra have it all the same, and no face or edge of them can pass through it.
+ * Such a point is a corner of collapsed slivers, or of facets that are no longer constraints. It is
+ * nevertheless a point of the tetrahedra, and no face or edge of them can pass through it.
  *
  * @return the unchanged constraints in their order, then the pieces of the others, then facets that
- * were no constraints
+ * were not constraints
  * @throws Error Stopped
  */
 FacetComplex SplitAtLoosePoints(

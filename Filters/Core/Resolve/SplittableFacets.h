@@ -12,10 +12,10 @@ namespace insideout
 {
 bool HasCorner(const Triangle& corners, Id point);
 
-/** A facet that takes the place of a part of another one. */
+/** A facet that replaces a part of another one. */
 struct ReplacedFacet
 {
-  Triangle Corners; ///< running as the parent does
+  Triangle Corners; ///< with the parent's orientation
   Id Parent;
 };
 
@@ -27,13 +27,13 @@ struct Replacement
 };
 
 /**
- * Facets that can be split at their edges, all along an edge at once, so that closed chains stay
- * closed. Parts are numbered on after the given facets.
+ * Facets that can be split at an edge, all facets along it at once, so that closed chains stay
+ * closed. New parts are numbered after the given facets.
  */
 class SplittableFacets
 {
 public:
-  /** Refers to the facets, which are to stay. */
+  /** Keeps a reference to the facets. */
   SplittableFacets(std::size_t numberOfPoints, const std::vector<Triangle>& facets);
 
   const Triangle& CornersOf(Id f) const;
@@ -41,10 +41,16 @@ public:
   /** Whether it was neither split nor removed. */
   bool IsThere(Id f) const { return this->IsAlive[f] != 0; }
 
-  /** The parts that the facets along an edge would have. One with a corner there has none. */
+  /**
+   * The parts that splitting an edge would make of the facets along it; none of a facet that has
+   * the point as a corner.
+   */
   std::vector<ReplacedFacet> PartsOfSplit(const Edge& edge, Id point) const;
 
-  /** Split the facets along an edge. @return the number of the first part; the last is the last */
+  /**
+   * Split the facets along an edge.
+   * @return the number of the first part; later parts follow
+   */
   Id Split(const Edge& edge, Id point);
 
   void Remove(Id f) { this->IsAlive[f] = 0; }

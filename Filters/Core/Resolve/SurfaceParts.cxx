@@ -16,31 +16,36 @@ namespace insideout
 {
 namespace
 {
-/** More facets than this are never in one part, and in a cube of the grid there are half as many
- * where they are as dense everywhere. */
+/** Limit of facets in one part. For a uniform density a cube of the grid has half of it. */
 constexpr Id MostInPart = 4096;
 
-/** Cubes along a side of the grid, as a round surface is no terrain as a whole; fewer where a cube
- * would have fewer facets than the second number. */
+/**
+ * Least number of cubes along a side of the grid, because a round surface is not a terrain as a
+ * whole; fewer if a cube would have fewer facets than the second number.
+ */
 constexpr double LeastCubes = 4;
 constexpr double LeastInCube = 256;
 
-/** More cubes along a side would take more memory than the facets. */
+/** Limit of cubes along a side: more would take more memory than the facets. */
 constexpr double MostCubes = 128;
 
-/** Fewer facets are no terrain of their own: to prove them takes longer than to compare them. */
+/** Smallest terrain: proving a smaller one takes longer than comparing its facets. */
 constexpr Id LeastTerrain = 16;
 
-/** Halvings of a range that is no terrain, to separate the facets that spoil it from the rest. */
+/** Limit of halvings of a range that is not a terrain, to separate the offending facets. */
 constexpr int MostHalvings = 4;
 
-/** A view shows a facet well enough if its normal points so far towards it, of the most that it
- * points along an axis. */
+/**
+ * A view shows a facet well if the normal's component towards it exceeds this fraction of the
+ * normal's largest component.
+ */
 constexpr double WellShown = 0.1;
 
-/** One in this many ranges of facets is cut first, as a sample. At least this share of its facets
- * has to be in terrains, and a part has to have at least this many facets on average. Otherwise
- * searching parts takes longer than searching facets. */
+/**
+ * One in this number of ranges of facets is cut first, as a sample. At least this share of its
+ * facets has to be in terrains, and a part has to have at least this many facets on average.
+ * Otherwise searching parts takes longer than searching facets.
+ */
 constexpr std::size_t RangesPerSample = 16;
 constexpr double LeastInTerrains = 0.87;
 constexpr double LeastPerPart = 64;
@@ -53,7 +58,7 @@ struct FacetRange
   Id Size() const { return this->End - this->Begin; }
 };
 
-/** The centers of facets, as far as a grid and medians need them. */
+/** The centers of facets, as grids and medians require them. */
 class FacetCentres
 {
 public:
@@ -66,7 +71,7 @@ public:
   Point operator()(Id facet) const
   {
     const auto& [a, b, c] = this->Facets[facet];
-    constexpr double third = 1.0 / 3; // first, so that nothing overflows
+    constexpr double third = 1.0 / 3; // applied first, to prevent overflow
     Point centre;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -81,8 +86,10 @@ private:
   const std::vector<Triangle>& Facets;
 };
 
-/** The facets by the cubes of a grid that their centers are in. A closed surface meets about as
- * many cubes as there are along the six sides of the grid. */
+/**
+ * The facets, bucketed by the grid's cubes that contain their centers. A closed surface meets about
+ * as many cubes as there are on the six sides of the grid.
+ */
 Buckets<Id> SortIntoCubes(const Box& box, const FacetCentres& centreOf, Id count)
 {
   const double wanted = std::max(
@@ -113,7 +120,7 @@ Buckets<Id> SortIntoCubes(const Box& box, const FacetCentres& centreOf, Id count
     } };
 }
 
-/** Sorts facets into two halves, at the median of their centers. */
+/** Partition facets into two halves at the median of their centers. */
 std::array<FacetRange, 2> Halve(
   const FacetCentres& centreOf, std::vector<Id>& facets, const FacetRange& range)
 {
@@ -138,7 +145,7 @@ std::array<FacetRange, 2> Halve(
   return { { { range.Begin, range.Begin + half }, { range.Begin + half, range.End } } };
 }
 
-/** Halves facets until no range has too many. */
+/** Halve ranges of facets until none is too large. */
 void Divide(const FacetCentres& centreOf, std::vector<Id>& facets, const FacetRange& range,
   std::vector<FacetRange>& ranges)
 {
@@ -165,8 +172,8 @@ public:
   }
 
   /**
-   * @param[in,out] order the facets of the range; they are put into the order of its parts
-   * @param[in] halvings of what is no terrain, at most
+   * @param[in,out] order the facets of the range, reordered by parts
+   * @param[in] halvings limit of halvings of what is not a terrain
    */
   void Cut(
     std::vector<Id>& order, const FacetRange& range, int halvings, std::vector<SurfacePart>& parts)
@@ -225,8 +232,10 @@ public:
   }
 
 private:
-  /** Per facet a view that shows its front, or AxisView::Count. Among the views that do so well
-   * enough it is the one that shows most of the range, so that neighbors have the same. */
+  /**
+   * Per facet a view that shows its front, or AxisView::Count. Among the views that show it well,
+   * the one that suits most of the range is chosen, so that neighbors share it.
+   */
   std::vector<std::size_t> ChooseViews(const std::vector<Id>& order, const FacetRange& range) const
   {
     std::vector<Point> normals;
@@ -263,8 +272,9 @@ private:
     return views;
   }
 
-  /** An edge of facets of one view, and how many of them run from its lower end less those that run
-   * to it. */
+  /**
+   * An edge between facets of one view, and how often facets traverse it upwards minus downwards.
+   */
   struct ViewedEdge
   {
     Edge Ends;
@@ -272,7 +282,7 @@ private:
     Id Sum;
   };
 
-  /** Finds the components of facets that are joined through edges, and their borders. */
+  /** Find the components of facets connected through edges, and their borders. */
   void Join(const std::vector<Id>& group)
   {
     std::vector<ViewedEdge> edges;
@@ -338,7 +348,7 @@ private:
   Buckets<Id> Components;
   Buckets<BorderEdge> Borders;
 };
-/** How many of some facets are in terrains. */
+/** The number of facets in terrains. */
 Id NumberInTerrains(const std::vector<SurfacePart>& parts)
 {
   Id number = 0;

@@ -15,10 +15,10 @@ struct SurfacePart
 {
   Id Begin; ///< in SurfaceParts::Facets
   Id End;
-  bool IsTerrain; ///< no two meet beyond the corners and edges that they share by id
+  bool IsTerrain; ///< no two facets meet beyond the corners and edges that they share by id
 };
 
-/** A surface in parts: each facet is in one. */
+/** A partition of a surface's facets into parts. */
 struct SurfaceParts
 {
   std::vector<Id> Facets; ///< part by part
@@ -26,12 +26,12 @@ struct SurfaceParts
 };
 
 /**
- * Cut a surface into parts. Where it is smooth, most parts are proved to be terrains, so that their
- * facets need only be compared with those of other parts. Facets of a part have their centers in
- * one cube of a grid, or in a half of it where there are many; face one way, as seen along an axis;
- * and are joined through edges. The facets in no terrain are one part in each cube.
+ * Cut a surface into parts. Where it is smooth, most parts are proved to be terrains: their facets
+ * need comparing only with those of other parts. Facets of a part are connected through edges, face
+ * one way, as seen along an axis, and have their centers in one cube of a grid. In a full cube the
+ * part is a half of it, repeatedly. The remaining facets of each cube form one part.
  *
- * @return nothing if, by a sample, too few facets would be in terrains
+ * @return nothing if a sample shows that too few facets would be in terrains
  *
  * @param[in] facets not degenerate, no two with the same three points
  * @throws Error (Stopped)

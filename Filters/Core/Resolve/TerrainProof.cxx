@@ -10,7 +10,7 @@ namespace insideout
 {
 namespace
 {
-/** An edge of the border as it is seen. */
+/** An edge of the border in the projection. */
 struct SeenEdge
 {
   BorderEdge Ids;
@@ -42,7 +42,7 @@ bool AreInOneDirection(const PlanarPoint& p, const PlanarPoint& q, const PlanarP
   return Orient2D(p, q, r) == 0 && (q[axis] > p[axis] ? r[axis] > p[axis] : r[axis] < p[axis]);
 }
 
-/** Whether edges whose boxes meet have more in common than ends that they share. */
+/** Whether edges whose boxes meet have more in common than shared ends. */
 bool MeetBeyondEnds(const SeenEdge& a, const SeenEdge& b)
 {
   for (const bool atFrom : { true, false })
@@ -97,7 +97,10 @@ std::vector<EdgeAtEnd> SortedByEnd(const std::vector<BorderEdge>& border)
   return ends;
 }
 
-/** Whether edges at one end that no two lie upon each other arrive and leave by turns around it. */
+/**
+ * Whether edges at one end, no two of which overlap, alternate around it between arriving and
+ * leaving.
+ */
 bool TakeTurns(const std::vector<SeenEdge>& edges, EdgeAtEnd* first, EdgeAtEnd* last)
 {
   if (last - first == 2)
@@ -126,7 +129,7 @@ bool TakeTurns(const std::vector<SeenEdge>& edges, EdgeAtEnd* first, EdgeAtEnd* 
   return true;
 }
 
-/** Whether all edges are joined through ends, and take turns there. */
+/** Whether all edges are connected through ends, and alternate there. */
 bool IsOnePieceByTurns(const std::vector<BorderEdge>& border, const std::vector<SeenEdge>& edges)
 {
   std::vector<EdgeAtEnd> ends = SortedByEnd(border);

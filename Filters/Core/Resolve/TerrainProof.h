@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** How things look from one end of a coordinate axis. */
+/** A projection, seen from one end of a coordinate axis. */
 class AxisView
 {
 public:
@@ -49,38 +49,38 @@ struct BorderEdge
 };
 
 /**
- * Whether facets that all look one way are a terrain: no two of them meet beyond the corners and
- * the edges that they share by id (MeetBeyondSharedCorners). That is proved by their border alone,
- * which is short, and exactly. Where the answer is no they may be one all the same.
+ * Whether facets that all face one way are a terrain: no two of them meet beyond the corners and
+ * edges that they share by id (MeetBeyondSharedCorners). The proof uses only their border, which is
+ * short, and is exact. The answer may be false for a terrain.
  *
  * The facets' images in the view run counter-clockwise. Their border is the sum of their edges, in
- * which opposite ones cancel. It has to hold that
+ * which opposite ones cancel. Three conditions must hold:
  *
- * 1. images of two edges of the border have nothing in common but ends that they share by id (so
- *      that none is there twice);
- * 2. the border is in one piece: from each edge to each other one comes through shared ends;
- * 3. around each end edges that arrive and edges that leave take turns.
+ * 1. Images of two edges of the border have only ends in common that they share by id (so no edge
+ *   is repeated).
+ * 2. The border is connected through shared ends.
+ * 3. Around each end, arriving and leaving edges alternate.
  *
- * Proof. The number of images that cover a point is the winding number of the border's image there,
- * for each image winds once around its own points. To the left of an edge of the border that is one
- * more than to its right. Around an end, by 3, one passes from n to n + 1 and back again and again,
- * so that all edges there have the same n on their right; by 2 all edges of the border have. Far
- * away the number is 0, and it is nowhere below, so n is 0: each place beside the border's image is
- * covered once or not at all, and the insides of no two images overlap.
+ * Proof. Each image winds once around its own points. So the number of images that cover a point is
+ * the winding number n of the border's image. To the left of an edge of the border n is one more
+ * than to its right. Around an end, by 3, n alternates between two values, so all edges there have
+ * the same n on their right; by 2 all edges of the border have. Far away n is 0, and it is nowhere
+ * negative, so it is 0 to the right of all. Each place beside the border's image is covered at most
+ * once, and the interiors of no two images overlap.
  *
- * Let the images of two facets have a common point x. It lies on edges of both: all around a point
- * inside one image is covered by that image alone.
- * - Within an edge that cancels there is a facet on either side, and they cover all around x: these
- *   are the two, and x is on the edge that they share.
- * - At a corner that has no edge of the border, facets that share it cover all around it: the two
- *     are among these, and x is the corner that they share.
- * - Else x is on the border as a point of the one and of the other. Within one edge of it there is
- *   but one facet, for two would overlap. Different edges have only ends in common that they share
- *     by id, by 1: x is a corner that both share.
+ * Let the images of two facets have a common point x. It lies on edges of both, because around a
+ * point inside one image only that image covers the plane.
+ * - Within an edge that cancels, the facets on its two sides cover all around x. These are the two,
+ *   and x is on their shared edge.
+ * - At a corner without edges of the border, the facets that share it cover all around it. The two
+ *   are among these, and x is their shared corner.
+ * - Otherwise x is on the border, as a point of both. Within one edge of it there is only one
+ *   facet, because two would overlap. Different edges have only ends in common that they share by
+ *   id, by 1. So x is a corner that both share.
  *
- * It takes longer with the square of the border's length at worst.
+ * In the worst case, time is quadratic in the border's length.
  *
- * @param[in] view in that shows the front of each facet
+ * @param[in] view one that shows the front of each facet
  * @param[in] border of the facets
  */
 bool IsTerrain(

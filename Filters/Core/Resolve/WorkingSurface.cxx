@@ -111,7 +111,7 @@ std::vector<Id> WorkingSurface::UncheckedFacets() const
   return unchecked;
 }
 
-/** The facets that rounding made degenerate: they come right out of a cut. */
+/** The facets that rounding made degenerate: they come directly from a cut. */
 std::vector<Id> WorkingSurface::DegenerateFacets() const
 {
   std::vector<Id> degenerate;
@@ -151,7 +151,7 @@ void WorkingSurface::Apply(const Replacement& replacement)
   this->Replace(std::move(isRemoved), parts);
 }
 
-/** Takes facets away and adds others, behind those that stay. */
+/** Remove facets, and append others after those that stay. */
 void WorkingSurface::Replace(std::vector<char> isRemoved, const std::vector<MeantFacet>& added)
 {
   this->AddFacets(added, isRemoved);
@@ -183,7 +183,7 @@ void WorkingSurface::Replace(std::vector<char> isRemoved, const std::vector<Mean
   this->Crossings = std::move(crossings);
 }
 
-/** Finds the crossings of the facets that were not searched yet. */
+/** Find the crossings of the facets that are not searched yet. */
 void WorkingSurface::FindCrossings(Monitor& monitor)
 {
   const std::vector<std::array<Id, 2>> found =
@@ -203,8 +203,8 @@ void WorkingSurface::FindCrossingsBetween(
 }
 
 /**
- * Adds facets, or their meaning to existing ones with the same corners. Facets left without a
- * meaning are marked as removed, too.
+ * Add facets. One with the corners of an existing facet adds its meaning to that. Facets left
+ * without a meaning are marked as removed.
  */
 void WorkingSurface::AddFacets(const std::vector<MeantFacet>& facets, std::vector<char>& isRemoved)
 {
@@ -242,7 +242,7 @@ void WorkingSurface::AddFacets(const std::vector<MeantFacet>& facets, std::vecto
   }
 }
 
-/** Drops new points that no facet has any more. */
+/** Drop new points that no facet uses any more. */
 void WorkingSurface::DropUnusedPoints()
 {
   const std::size_t given = this->Given->Points.size();
@@ -272,7 +272,7 @@ void WorkingSurface::DropUnusedPoints()
   }
 }
 
-/** Adds a facet to what is assembled. Most are as given: nothing is copied on the way. */
+/** Append a facet to the assembled complex. Most are unchanged: nothing is copied for them. */
 void WorkingSurface::AppendTo(FacetComplex& surface, Id facet) const
 {
   const Id meaning = this->MeaningIds[facet];
@@ -286,7 +286,7 @@ void WorkingSurface::AppendTo(FacetComplex& surface, Id facet) const
   }
 }
 
-/** The constraints, then what is left out of them, then what the given complex had left out. */
+/** The constraints, then the facets left out, then those that the given complex had left out. */
 FacetComplex WorkingSurface::Assemble(const std::vector<Id>& leftOut, Monitor& monitor)
 {
   this->DropUnusedPoints();
@@ -320,7 +320,7 @@ FacetComplex WorkingSurface::Assemble(const std::vector<Id>& leftOut, Monitor& m
   return surface;
 }
 
-/** Where points come from: the given ones as they were, new ones from the facet they lie on. */
+/** The origins of points: given points keep theirs, new ones have that of the facet they lie on. */
 std::vector<PointOrigin> WorkingSurface::OriginsOfPoints(Monitor& monitor) const
 {
   const Id given = static_cast<Id>(this->Given->Origins.size());

@@ -12,7 +12,7 @@ struct Meaning
 {
   Id Root = None;                   ///< a facet of the given complex that it is a piece of
   int Multiplicity = 0;             ///< along its own orientation
-  std::vector<FacetSource> Sources; ///< by triangle; one triangle's are all turned alike
+  std::vector<FacetSource> Sources; ///< by triangle; those of one triangle are all turned alike
 };
 
 /** A facet to be added. */
@@ -24,12 +24,12 @@ struct MeantFacet
 
 /**
  * The surface between two rounds of resolving: points and facets that change, and for each facet
- * what it stands for in the given complex. That refers to the complex, which is to stay.
+ * its meaning in the given complex. Keeps a reference to that complex.
  */
 class WorkingSurface
 {
 public:
-  /** Begins with the constraints of the complex. */
+  /** Begin with the constraints of the complex. */
   explicit WorkingSurface(const FacetComplex& given);
 
   std::vector<Point> Points;                ///< the given ones first; new ones are added
@@ -58,8 +58,10 @@ public:
   /** Search the facets added since the last call for crossings. @throws Error (Stopped) */
   void FindCrossings(Monitor& monitor);
 
-  /** The same of all facets, where the crossings within sets are known.
-   * @param[in] setOf one per facet */
+  /**
+   * The same for all facets, if the crossings within sets are known.
+   * @param[in] setOf one per facet
+   */
   void FindCrossingsBetween(
     const std::vector<Id>& setOf, const std::vector<std::array<Id, 2>>& known, Monitor& monitor);
 
@@ -72,8 +74,8 @@ public:
   std::vector<Id> CrossingFacets() const;
 
   /**
-   * The complex: the constraints, then facets left out, then facets that were no constraints in the
-   * given one. New points that nothing uses are dropped; the origins of the others are those of the
+   * The complex: the constraints, then facets left out, then facets that were not constraints in
+   * the given one. Unused new points are dropped; the other new points have the origins of the
    * facets that they lie on.
    * @throws Error TooLarge, Stopped
    */
@@ -87,15 +89,15 @@ private:
   std::vector<PointOrigin> OriginsOfPoints(Monitor& monitor) const;
 
   const FacetComplex* Given;
-  std::vector<Id> MeaningIds;    ///< per facet: a given facet, or beyond those a piece's meaning
-  std::vector<Meaning> Meanings; ///< of pieces, also of those that are gone
-  std::vector<Id> Roots;         ///< of new points: the given facet that they lie on
-  Id FirstUnchecked = 0;         ///< facets from here on were not searched for crossings
+  std::vector<Id> MeaningIds; ///< per facet: a given facet, or after those the meaning of a piece
+  std::vector<Meaning> Meanings; ///< of pieces, including removed ones
+  std::vector<Id> Roots;         ///< of new points: the given facet on which they lie
+  Id FirstUnchecked = 0;         ///< facets from here on are not searched for crossings yet
 };
 
 /**
- * Add the sources and multiplicity of a coinciding facet, or of the reverse of one. Where rounding
- * folded a triangle onto itself, its piece and the reverse of that cancel.
+ * Add the sources and multiplicity of a coincident facet, or of its reverse. If rounding folded a
+ * triangle onto itself, its opposite pieces cancel.
  */
 void Add(Meaning& meaning, const Meaning& other, bool reversed);
 } // namespace insideout
