@@ -65,7 +65,7 @@ private:
   {
     std::array<Id, 8> Children = { { None, None, None, None, None, None, None, None } };
     Box Bounds = Box::Empty(); ///< box of all items that ever were in it or below
-    Id Count = 0;              ///< number of those that are
+    Id Count = 0;              ///< number of the present ones
     std::vector<Entry> Entries;
   };
 

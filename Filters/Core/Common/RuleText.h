@@ -24,7 +24,9 @@ HeadAndTail SplitHead(const std::string& trimmed);
 /** @throws Error InvalidParameter, that names the rule */
 [[noreturn]] void RefuseRule(const std::string& rule, const std::string& words);
 
-/** Finite numbers between blanks or commas. @throws Error that names the rule and what is no number
+/**
+ * Finite numbers separated by blanks or commas.
+ * @throws Error that names the rule and the invalid number
  */
 std::vector<double> NumbersOf(const std::string& text, const std::string& rule);
 } // namespace insideout

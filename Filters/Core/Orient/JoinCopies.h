@@ -29,8 +29,8 @@ private:
  * Copies already in one set are a pair. Next come the copies of one given surface
  * (FacetComplex::SourceSurfaces) at seams that copies of other surfaces share. If only two remain
  * at a seam they are the next pair, and so on from seam to seam. If more remain, longest seam
- * first, two that bound the same solid wedge at the seam are a pair: one behind which it begins,
- * going around, and the next behind which it ends.
+ * first, two that bound the same solid wedge at the seam are a pair: going around, the wedge begins
+ * behind the first and ends behind the next.
  *
  * @param[in] seams that balance
  * @param[in,out] sets of copies

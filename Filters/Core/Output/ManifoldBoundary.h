@@ -22,11 +22,11 @@ struct ManifoldSurface
  * triangles, and those at every point are one fan. Only points are duplicated, in place.
  *
  * Separating the cells' points leaves some non-manifold points: cells around such a point are
- * connected through faces, and surround a space that they do not fill. Two cavities that touch in a
- * point are an example, and an edge whose cells are two fans at both of whose ends these are
- * connected. There only the surface gets copies, which the cells share; separating the cells, too,
- * would require a crack through the solid, or a new, rounded point (Attene et al. 2009 split such
- * an edge).
+ * connected through faces, and surround a space that they do not fill. Examples are two cavities
+ * that touch in a point, and an edge with two fans of cells that are connected at both of its ends.
+ * There only the surface gets copies, which the cells share; separating the cells, too, would
+ * require a crack through the solid, or a new, rounded point (Attene et al. 2009 split such an
+ * edge).
  *
  * At an edge with more than two faces, faces that bound the same space outside the solid are
  * joined. This separates the edge's ends, as follows. Let the cells at one of them be connected,

@@ -14,14 +14,14 @@ struct TagCondition
 {
   enum class Kind
   {
-    Normal,  ///< direction, degrees: the normal points there
-    Box,     ///< two corners: the center is in the box
-    Sphere,  ///< center, radius: the center is in the ball
-    Plane,   ///< point, normal, distance: all corners lie in the plane
-    Face,    ///< point, degrees: of the face next to the point, which edges of a larger angle bound
-    Faces,   ///< degrees: of any such face; each has a number
-    Nearest, ///< point: no other point of such a condition is nearer to the center
-    Array    ///< the name of an array, in which it is not 0
+    Normal, ///< direction, degrees: the normal points there
+    Box,    ///< two corners: the center is in the box
+    Sphere, ///< center, radius: the center is in the ball
+    Plane,  ///< point, normal, distance: all corners lie in the plane
+    Face,  ///< point, degrees: on the face nearest to the point, bounded by edges of a larger angle
+    Faces, ///< degrees: on any such face; faces are numbered
+    Nearest, ///< point: no point of another such condition is nearer to the center
+    Array    ///< the name of an array that is not 0 at the triangle
   };
   Kind What;
   std::vector<double> Numbers;
@@ -55,7 +55,7 @@ struct TaggedSurface
   std::function<bool(const std::string& array, Id triangle)> IsIn;
 };
 
-/** The rule that a triangle takes its name from, and its number among the rule's faces. */
+/** The rule that names a triangle, and the number of its face among the rule's faces. */
 struct TagMatch
 {
   Id Rule = None;

@@ -8,15 +8,19 @@
 
 namespace insideout
 {
-/** How good a tetrahedron is. An inverted cell has the values of its mirror image, except for the
- * sign of the mean ratio. */
+/**
+ * The quality of a tetrahedron. An inverted cell has the values of its mirror image, except for the
+ * sign of the mean ratio.
+ */
 struct CellQuality
 {
   /** In degrees, from 0 to 180, at each of TetrahedronEdges. */
   std::array<double, 6> DihedralAngles;
 
-  /** The radius of the circumsphere over the shortest edge: sqrt(6) / 4 = 0.612 at best, infinite
-   * where the cell is flat. */
+  /**
+   * The radius of the circumsphere over the shortest edge: sqrt(6) / 4 = 0.612 at best, infinite
+   * for a flat cell.
+   */
   double RadiusEdgeRatio;
 
   /** 12 (3 V)^(2/3) over the sum of the squared edges, as in Verdict (Liu and Joe 1994): 1 at best,
@@ -37,13 +41,13 @@ struct CellQuality
  * The quality of a tetrahedron, never NaN. Thick cells are computed in doubles; cells with a volume
  * below a millionth of their longest edge cubed in double-doubles, from exact differences of
  * coordinates. So all values have ten digits down to 1e-20 of that cube, where doubles give noise.
- * Only an exactly flat cell is called so; its angles are 0 and 180 degrees, and 0 at an edge of a
+ * Only an exactly flat cell counts as flat: its angles are 0 and 180 degrees, and 0 at an edge of a
  * face without area.
  *
  * @param[in] corners finite coordinates
  */
 CellQuality QualityOfCell(const std::array<Point, 4>& corners);
 
-/** The same of one cell of a mesh. */
+/** The same for one cell of a mesh. */
 CellQuality QualityOfCell(const std::vector<Point>& points, const Tetrahedron& cell);
 } // namespace insideout

@@ -11,29 +11,31 @@
 
 namespace insideout
 {
-/** How good tetrahedra are, all together. Angles are dihedral, in degrees. All 0 without cells. */
+/** The quality of all tetrahedra together. Angles are dihedral, in degrees. All 0 without cells. */
 struct MeshQuality
 {
   Id Cells = 0;
 
   double MinDihedralAngle = 0;
 
-  /** The 1 % quantile of the six angles of all cells: the least that is no less than a hundredth of
-   * them. */
+  /** The 1 % quantile of the six angles of all cells. */
   double DihedralAngle1Percent = 0;
   double MaxDihedralAngle = 0;
 
-  double RadiusEdgeRatio99Percent = 0; ///< the least that is no less than 99 % of them
-  double MaxRadiusEdgeRatio = 0;       ///< infinite where a cell is flat
+  double RadiusEdgeRatio99Percent = 0; ///< the 99 % quantile
+  double MaxRadiusEdgeRatio = 0;       ///< infinite if a cell is flat
 
   double MinMeanRatio = 0;
   double AverageMeanRatio = 0;
 
-  Id CellsUnder10Degrees = 0; ///< that have an angle below
+  Id CellsUnder10Degrees = 0; ///< cells with an angle below 10 degrees
   Id CellsUnder5Degrees = 0;
 
-  /** Edges of the boundary where the solid itself is so sharp: at each of them cells have to be. A
-   * wedge of the solid between two boundary faces counts once, so that an edge may count twice. */
+  /**
+   * Edges of the boundary at which the solid itself has an angle below 10 degrees, so that cells
+   * there have one, too. A wedge of the solid between two boundary faces counts once, so an edge
+   * may count twice.
+   */
   Id SurfaceEdgesUnder10Degrees = 0;
   Id SurfaceEdgesUnder5Degrees = 0;
 
@@ -45,7 +47,7 @@ struct MeshQuality
 std::vector<CellQuality> QualityOfCells(const std::vector<Point>& points,
   const std::vector<Tetrahedron>& cells, Monitor& monitor, const ProgressRange& progress);
 
-/** Where the solid is sharp: a wedge of it between two boundary faces. */
+/** A sharp edge of the solid: a wedge between two boundary faces. */
 struct SharpEdge
 {
   Edge Ends;
@@ -53,8 +55,8 @@ struct SharpEdge
 };
 
 /**
- * The wedges of the solid with an angle below a limit, by their first cell. A face of one cell is
- * on the boundary; behind a face of more than two there is no telling, and no wedge is found.
+ * The wedges of the solid with an angle below a limit, by their first cell. Faces of exactly one
+ * cell are on the boundary. A wedge with a face of more than two cells is skipped.
  *
  * @param[in] cells ids in range, each with four different ones
  * @param[in] qualities of each cell (QualityOfCells)
@@ -64,7 +66,7 @@ std::vector<SharpEdge> SharpBoundaryEdges(const std::vector<Tetrahedron>& cells,
   const std::vector<CellQuality>& qualities, std::size_t numberOfPoints, double limit);
 
 /**
- * The quality of all cells together; the same bits for any number of threads.
+ * The quality of all cells together. The result does not depend on the number of threads.
  *
  * @param[in] points finite coordinates
  * @param[in] cells ids in range, each with four different ones
@@ -73,13 +75,15 @@ std::vector<SharpEdge> SharpBoundaryEdges(const std::vector<Tetrahedron>& cells,
 MeshQuality QualityOfMesh(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
   Monitor& monitor, const ProgressRange& progress);
 
-/** The same of cells whose qualities are known. */
+/** The same for cells whose qualities are known. */
 MeshQuality SummarizeQuality(const std::vector<Tetrahedron>& cells,
   const std::vector<CellQuality>& qualities, std::size_t numberOfPoints, Monitor& monitor,
   const ProgressRange& progress);
 
-/** All but the histogram and the number of cells under their names, with a word in front
- * ("Before"). */
+/**
+ * Append all figures by name, with a prefix ("Before"), except the histogram and the number of
+ * cells.
+ */
 void AppendQuality(
   const MeshQuality& quality, Statistics& statistics, const std::string& prefix = "");
 } // namespace insideout

@@ -11,42 +11,50 @@
 
 namespace insideout
 {
-/** Whether a finite element solver takes cells. All 0 where it takes each gladly. */
+/**
+ * Numbers of cells that a finite element solver refuses or handles badly. All 0 if there are none.
+ */
 struct SolverFitness
 {
   Id Cells = 0;
 
-  /** Cells with a Jacobian determinant that is not positive for a solver, which stops then: below
-   * 1e-20, CalculiX's limit, at one of its integration points, in doubles and in its order. */
+  /**
+   * Cells with a Jacobian determinant at which a solver stops: below 1e-20, CalculiX's limit, at an
+   * integration point, computed in doubles and in CalculiX's order.
+   */
   Id RefusedCells = 0;
 
-  /** Refused cells that are only too small. In a smaller unit they pass. */
+  /** Refused cells that are merely too small. In a smaller unit they pass. */
   Id TooSmallCells = 0;
 
-  /** Other tetrahedra with a dihedral angle below 1 degree, which cost a solver steps and digits.
+  /**
+   * Other tetrahedra with a dihedral angle below 1 degree, which cost a solver iterations and
+   * accuracy.
    */
   Id PoorCells = 0;
 
-  /** Refused and poor cells with a face on the boundary or between regions that is a needle itself:
-   * no other cells on that face are much better. */
+  /**
+   * Refused and poor cells with a face on the boundary or between regions that is a needle itself:
+   * no other cell on that face would be much better.
+   */
   Id CellsOnNeedles = 0;
 
-  /** Refused cells with such a face, whatever a solver refuses them for. */
+  /** Refused cells with such a face, whatever the reason. */
   Id RefusedOnNeedles = 0;
 
   bool IsGood() const { return this->RefusedCells == 0 && this->PoorCells == 0; }
 };
 
-/** The remedies that were taken, and are not to be advised again. */
+/** Remedies already applied, which are not advised again. */
 enum class CellTreatment
 {
-  None, ///< or nothing that is known
+  None, ///< or unknown
   Refined,
   Remeshed ///< refined, with other triangles on the surface
 };
 
 /**
- * How fit cells are for a solver.
+ * Count the cells that are unfit for a solver.
  *
  * @param[in] points finite coordinates, with the digits and in the unit that the solver gets
  * @param[in] cells ids in range
@@ -68,7 +76,7 @@ SolverFitness FitnessForSolver(const std::vector<Point>& points,
  */
 std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done, bool mayRemesh = true);
 
-/** RefusedCells and PoorCells under their names, with a word in front ("Before"). */
+/** Append RefusedCells and PoorCells by name, with a prefix ("Before"). */
 void AppendFitness(
   const SolverFitness& fitness, Statistics& statistics, const std::string& prefix = "");
 } // namespace insideout

@@ -17,7 +17,7 @@ struct PreparedSite : RoundedSite
   Site Exact;
 };
 
-/** Decides fast on which side of a triangle a place is. */
+/** Decides fast on which side of a triangle a place lies. */
 struct PlaneOfTriangle
 {
   PlaneOfTriangle() = default;
@@ -28,13 +28,13 @@ struct PlaneOfTriangle
 };
 
 /**
- * On which side of a plane a place is, from the vector that leads from it to corner 0: +1 where the
- * normal points to, -1 on the other, 0 where doubles do not decide. Coordinates below 1.
+ * The side of a plane on which a place lies, from the vector that leads from it to corner 0: +1
+ * where the normal points to, -1 on the other, 0 if doubles do not decide. Coordinates below 1.
  */
 int QuickSide(const PlaneOfTriangle& plane, const Point& toCorner);
 
 /**
- * On which side of the triangle's plane the site lies: +1 where the normal points to, -1 on the
+ * The side of the triangle's plane on which the site lies: +1 where the normal points to, -1 on the
  * other, 0 in the plane. Exact; doubles decide nearly always. Coordinates below 1.
  */
 int SideOfPlane(
@@ -43,8 +43,8 @@ int SideOfPlane(
   const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const Point& point);
 
 /**
- * Sign of the determinant of the vectors from the site to a, b and c: on which side of the plane
- * through a, b and c it lies. Exact; quick for a prepared site, with coordinates below 1.
+ * Sign of the determinant of the vectors from the site to a, b and c: the side of the plane through
+ * a, b and c on which it lies. Exact; quick for a prepared site, with coordinates below 1.
  */
 int SignOfDeterminant(const Site& site, const Point& a, const Point& b, const Point& c);
 int SignOfDeterminant(const PreparedSite& site, const Point& a, const Point& b, const Point& c);

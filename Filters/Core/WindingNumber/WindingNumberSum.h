@@ -12,9 +12,9 @@ namespace insideout
 /**
  * The generalized winding number of a complex at each site, as the sum over all facets of
  * multiplicity times solid angle over 4 pi (thesis, chapter 8; the solid angle by van Oosterom and
- * Strackee 1983). The site is not rounded, and on which side of a facet it lies is decided exactly,
- * so that no value is off by a whole facet. Where it lies on a facet, that facet counts 0, the mean
- * of its two sides.
+ * Strackee 1983). The site is not rounded, and its side of each facet is decided exactly, so no
+ * value is off by a whole facet. Where it lies on a facet, that facet counts 0, the mean of its two
+ * sides.
  *
  * Time is proportional to facets times sites, on all threads. The values depend neither on the
  * number of threads nor on a scaling of all coordinates by a power of two. Reversing all facets
