@@ -6,9 +6,14 @@
 # the thesis's figures 8.10 and 8.11 in build-benchmark/figures. The reference for winding numbers
 # needs libembree-dev, drawing python3-matplotlib; the references for tetrahedra, in
 # build-benchmark/quality.csv, need tetgen, gmsh, python3-netgen and python3-meshio; the solvers that
-# judge them calculix-ccx, python3-gmsh and python3-scipy.
+# judge them calculix-ccx, python3-gmsh and python3-scipy. The targets are entered in targets.csv.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
+if [ "${1-}" != --lines ]; then
+  "$0" --lines "$@" | /usr/bin/python3 "$here/write-targets.py"
+  exit
+fi
+shift
 root=$here/../..
 build=$root/build-benchmark
 
@@ -96,3 +101,4 @@ set -- "$@" "$surfaces"/*
 for surface; do
   "$bin/BenchmarkResolve" --memory "$surface"
 done
+echo "All is measured."
