@@ -43,7 +43,7 @@ def commands(surface: Path, folder: Path, diagonal: float) -> dict[str, tuple[li
     return {
         "ours": ([*program, "--surface-treatment", "remeshed", *lengths], ours),
         "fTetWild": (
-            ["FloatTetwild_bin", "-i", str(folder / "surface.off"), "-o", str(theirs), "--max-threads", "1", "--level", "6"],
+            ["FloatTetwild_bin", "-i", str(folder / "surface.obj"), "-o", str(theirs), "--max-threads", "1", "--level", "6"],
             folder / "theirs_.msh",
         ),
     }
@@ -87,7 +87,7 @@ def measure(surface: Path, done: set[tuple[str, str]], limit: float) -> Iterator
     data = insideout.read(surface)
     diagonal = float(np.linalg.norm(np.ptp(data.points, axis=0)))
     with tempfile.TemporaryDirectory() as folder:
-        insideout.write(data, str(Path(folder, "surface.off")))
+        insideout.write(data, str(Path(folder, "surface.obj")))
         for mesher, (command, mesh) in commands(surface, Path(folder), diagonal).items():
             if (surface.name, mesher) in done:
                 continue

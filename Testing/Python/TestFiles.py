@@ -66,6 +66,11 @@ class RoundTrips(InAFolder):
                 self.assertEqual(surfaces.points_of(again)[:8].tobytes(), surfaces.points_of(surface).tobytes())
                 self.assertEqual(surfaces.triangles_of(again).tolist(), surfaces.triangles_of(surface).tolist())
 
+    def test_off_has_its_counts_in_the_second_line(self):
+        write_surface(awkward_box(), self.path("box.off"))
+        with open(self.path("box.off"), encoding="ascii") as file:
+            self.assertEqual([next(file), next(file)], ["OFF\n", "8 12 0\n"])
+
     def test_stl_has_floats(self):
         surface = awkward_box()
         write_surface(surface, self.path("box.stl"))

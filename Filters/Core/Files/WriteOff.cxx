@@ -8,8 +8,10 @@ namespace insideout
 void WriteOff(OutputFile& file, const PolygonSurface& surface)
 {
   const std::size_t polygons = surface.Offsets.size() - 1;
-  file.Text("OFF\n# Written by InsideOut\n" + std::to_string(surface.Points.size()) + " " +
-    std::to_string(polygons) + " 0\n");
+  // The comment follows the counts: some readers (Geogram's, and so fTetWild's) want them in the
+  // second line.
+  file.Text("OFF\n" + std::to_string(surface.Points.size()) + " " + std::to_string(polygons) +
+    " 0\n# Written by InsideOut\n");
   for (const Point& point : surface.Points)
   {
     for (std::size_t k = 0; k < 3; ++k)
