@@ -66,7 +66,7 @@ void CheckThatNothingCrosses(
       "cells " + std::to_string(input.CellOfFacet(surface, pairs.front()[0], +1)) + " and " +
         std::to_string(input.CellOfFacet(surface, pairs.front()[1], +1)) +
         " intersect, the first of " + std::to_string(pairs.size()) +
-        " pairs: run vtkResolveSelfIntersections before");
+        " pairs: run vtkResolveSelfIntersections first");
   }
 }
 } // namespace

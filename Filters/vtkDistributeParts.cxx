@@ -126,7 +126,7 @@ int vtkDistributeParts::RequestData(vtkInformation* vtkNotUsed(request),
   {
     vtkInsideOut::Warn(this,
       { std::to_string(parts.Others) +
-        " blocks are left out, for they are no surfaces (vtkPolyData)" });
+        " blocks are left out, because they are not surfaces (vtkPolyData)" });
   }
   const std::vector<int> owners =
     ChooseOwners(vtkInsideOut::CountCells(parts, controller), controller->GetNumberOfProcesses());

@@ -129,7 +129,8 @@ MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& see
   {
     throw Error(ErrorCode::InvalidParameter,
       "cell " + std::to_string(other) +
-        " is no tetrahedron; seeds and constraints need tetrahedra alone, and so do the choice of "
+        " is not a tetrahedron; seeds and constraints need tetrahedra alone, and so do the choice "
+        "of "
         "regions and Topology");
   }
   if (other >= 0)

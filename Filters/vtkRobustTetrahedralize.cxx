@@ -353,7 +353,7 @@ void vtkRobustTetrahedralize::CheckOptions()
   if (this->Refine && (this->PartsSolid() || changesPieces) && vtkInsideOut::SizesNameTags(sizes))
   {
     refuse((changesPieces ? pieces : parting) +
-      " does not go together with SizeRules of tags, for cells lose theirs");
+      " does not go together with SizeRules of tags, because cells lose theirs");
   }
   const int treatment = this->Refinement->GetSurfaceTreatment();
   if (this->Refine && treatment != vtkRefineTetrahedra::KEPT &&

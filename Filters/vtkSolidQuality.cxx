@@ -116,7 +116,7 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
         input->GetNumberOfCells() - static_cast<vtkIdType>(given.CellIds.size());
       if (others > 0)
       {
-        warnings.push_back(std::to_string(others) + " cells are ignored: they are no tetrahedra");
+        warnings.push_back(std::to_string(others) + " cells are ignored: they are not tetrahedra");
       }
       const SolidDefects defects = FindSolidDefects(given.Points, given.Cells, given, monitor);
       const std::vector<CellQuality> qualities =

@@ -121,7 +121,7 @@ std::array<std::vector<double>, 3> ReadSides(vtkDataSet* input)
   {
     throw Error(ErrorCode::InvalidParameter,
       std::string("the voxels are too ") + (std::isfinite(largest) ? "small" : "large") +
-        ": the volume of one is no number in double precision");
+        ": the volume of one is out of the range of doubles");
   }
   return grid.Axes;
 }

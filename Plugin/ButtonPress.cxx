@@ -12,8 +12,10 @@
 
 namespace
 {
-/** A press as libxcb gives it where the server has version 2 of the X Input Extension
- * (XI2proto.txt, DeviceEvent): libxcb puts FullSequence behind the first 32 bytes. */
+/**
+ * A press as libxcb delivers it if the server has version 2 of the X Input Extension (XI2proto.txt,
+ * DeviceEvent); FullSequence follows the first 32 bytes.
+ */
 struct InputPress
 {
   uint8_t ResponseType;
@@ -49,7 +51,7 @@ uint8_t InputExtension()
   return opcode;
 }
 
-/** Where presses are looked for: a rectangle of a window, in pixels. */
+/** The rectangle of a window in which presses count, in pixels. */
 struct Place
 {
   xcb_window_t Window;

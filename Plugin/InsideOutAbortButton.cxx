@@ -45,7 +45,7 @@ pqPipelineSource* SourceOf(vtkObject* algorithm)
   return found == sources.end() ? nullptr : *found;
 }
 
-/** In the status bar; an empty message takes the one before away. */
+/** Show a message in the status bar; an empty one clears it. */
 void ShowMessage(const QString& message)
 {
   if (auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))

@@ -88,7 +88,7 @@ void ColorWindingNumbers(vtkSMSessionProxyManager* session)
   opacities->UpdateVTKObjects();
 }
 
-/** The normal of this plane becomes the axis that most nearly runs to the eye. */
+/** Turn the plane's normal to the axis nearest to the viewing direction. */
 void FaceCamera(vtkSMProxy* plane)
 {
   auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
@@ -111,7 +111,7 @@ bool HasCells(pqOutputPort* port)
   return port->getDataInformation()->GetNumberOfCells() > 0;
 }
 
-/** By no array; where there is no color as well, in the one that ParaView gives. */
+/** Color by no array; without a color, by ParaView's default. */
 void Paint(vtkSMProxy* representation, vtkSMProxy* view, const std::vector<double>& color)
 {
   if (vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
@@ -131,7 +131,7 @@ void Paint(vtkSMProxy* representation, vtkSMProxy* view, const std::vector<doubl
   representation->UpdateVTKObjects();
 }
 
-/** The cell or point array of this name; of both that of cells. */
+/** The association of the array of this name; cells take precedence over points. */
 int AssociationOf(pqOutputPort* port, const std::string& array)
 {
   const auto isOf = [&](int association)
@@ -139,7 +139,7 @@ int AssociationOf(pqOutputPort* port, const std::string& array)
   return isOf(vtkDataObject::CELL) ? vtkDataObject::CELL : vtkDataObject::POINT;
 }
 
-/** By an array of its own, with its legend instead of the one that ParaView gives. */
+/** Color by an array, with a legend of its own instead of ParaView's. */
 void ColorBy(pqOutputPort* port, vtkSMProxy* representation, vtkSMProxy* view, const char* array)
 {
   using Representation = vtkSMPVRepresentationProxy;
@@ -153,7 +153,7 @@ void ColorBy(pqOutputPort* port, vtkSMProxy* representation, vtkSMProxy* view, c
   Representation::SetScalarBarVisibility(representation, view, true);
 }
 
-/** The representation that is asked for, without edges where these would cover the faces. */
+/** The requested representation, without edges if they would cover the faces. */
 std::string RepresentationOf(pqOutputPort* port, vtkPVXMLElement* hint)
 {
   const std::string asked = hint->GetAttribute("representation");
@@ -198,7 +198,7 @@ bool HasHint(pqPipelineSource* source, const char* hint)
   return hints && hints->FindNestedElementByName(hint);
 }
 
-/** Show or hide what a port gives, in the active view, where it has been shown there. */
+/** Show or hide the output of a port in the active view, if it has been shown there. */
 void SetVisible(pqOutputPort* port, bool visible)
 {
   auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
@@ -216,7 +216,9 @@ std::vector<pqOutputPort*> InputsOf(pqPipelineSource* source)
   return { inputs.begin(), inputs.end() };
 }
 
-/** Hide what the plugin's other filters made of the same inputs: it lies in the same place. */
+/**
+ * Hide the outputs of the plugin's other filters with the same inputs: they lie in the same place.
+ */
 void HideSiblings(pqPipelineSource* filter)
 {
   for (pqOutputPort* input : InputsOf(filter))
@@ -245,7 +247,7 @@ void ShowInputs(pqPipelineSource* filter, bool visible)
   filter->renderAllViews();
 }
 
-/** Let a filter take the hull of a solid, which is made for it, instead of the solid. */
+/** Connect a filter to the hull of a solid, which is made for it, instead of the solid. */
 void TakeHull(pqPipelineSource* source)
 {
   auto* filter = qobject_cast<pqPipelineFilter*>(source);
@@ -287,7 +289,7 @@ void Look(pqPipelineSource* filter)
   filter->renderAllViews();
 }
 
-/** A filter that failed or was stopped has nothing to look at. */
+/** A filter that failed or was stopped has no result to show. */
 bool HasResult(pqPipelineSource* filter)
 {
   const auto ports = filter->getOutputPorts();

@@ -117,7 +117,7 @@ std::string WarningAboutShells(const std::vector<HoledShell>& shells)
     text += " and " + std::to_string(shells.size() - MostNamed) + " more";
   }
   return text + (isOne ? " has holes and is" : " have holes and are") +
-    " no part of the solid: close the holes, or set Gamma lower";
+    " not part of the solid: close the holes, or set Gamma lower";
 }
 } // namespace
 
@@ -156,7 +156,7 @@ std::vector<std::string> WarningsAbout(const LostArea& lost)
   if (lost.Share > WorthAWarning)
   {
     warnings.push_back(std::to_string(std::lround(100 * lost.Share)) +
-      " % of the surface's area is no part of the solid" +
+      " % of the surface's area is not part of the solid" +
       Reason(lost.Sheets,
         "are sheets, which enclose nothing: Thicken gives them a width, ConstrainFacets keeps "
         "them") +

@@ -106,7 +106,7 @@ std::string WhyNone(const Figures& figures, const ToldVolume& volume)
   }
   if (volume.Value <= 0)
   {
-    return figures["Cavities"] == solids ? "it is inside out as it is oriented"
+    return figures["Cavities"] == solids ? "it is inside out as oriented"
       : figures["MaximumW"] > 0.5        ? "no cell of its mesh is inside"
                                          : "its winding number is above 1/2 nowhere";
   }

@@ -178,7 +178,7 @@ void Attributes::RenameArrays(vtkFieldData* data, bool areMadeHere,
       if (!areMadeHere)
       {
         WarnOnce(std::string("the input's array ") + name + " is passed on as " + renamed +
-            ", for the output has its own",
+            ", because the output has its own",
           warnings);
       }
     }
@@ -475,7 +475,7 @@ void KeepApart(
       {
         const std::string renamed = RenameActive(inputs[i], name, inputNames[i] + "/" + name);
         WarnOnce("body " + inputNames[i] + ": the array " + name + " is passed on as " + renamed +
-            ", for another body's has another type or number of components",
+            ", because another body's has another type or number of components",
           warnings);
       }
     }
@@ -526,7 +526,8 @@ void Attributes::Append(const std::vector<vtkDataSetAttributes*>& inputs,
     const std::size_t without = FirstWithout(owners, first);
     if (without < usable.size() && usable[owners.front()]->GetNormals() == arrays.front())
     {
-      WarnOnce("the normals are left out, for input " + std::to_string(without + 1) + " has none",
+      WarnOnce(
+        "the normals are left out, because input " + std::to_string(without + 1) + " has none",
         warnings);
       continue;
     }

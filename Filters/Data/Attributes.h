@@ -53,7 +53,8 @@ void PassPointData(vtkDataSet* input, const std::vector<insideout::PointOrigin>&
 /**
  * Cell data by input cell, NaN (0 in integer arrays) where it is -1. Adds vtkOriginalCellIds.
  *
- * @param[in] added names of further arrays that the output adds: the input's are renamed
+ * @param[in] added names of further arrays that the output adds: arrays of the input with these
+ * names are renamed
  */
 void PassCellData(vtkDataSet* input, const std::vector<vtkIdType>& cells,
   std::initializer_list<const char*> added, vtkCellData* output,
@@ -83,7 +84,8 @@ void MixPointData(vtkDataSet* input, const std::vector<Mixture>& mixtures,
 /**
  * Point and cell data as they are, for an output that has the input's points and cells.
  *
- * @param[in] added names of cell arrays that the output adds: the input's are renamed
+ * @param[in] added names of cell arrays that the output adds: arrays of the input with these names
+ * are renamed
  */
 void PassAll(vtkDataSet* input, std::initializer_list<const char*> added, vtkDataSet* output,
   std::vector<std::string>& warnings);

@@ -54,7 +54,7 @@ std::vector<Id> BodiesOfSeeds(vtkPointSet* points, const std::vector<std::string
     if (found == names.end() && !name.empty())
     {
       throw Error(ErrorCode::InvalidParameter,
-        "seed " + std::to_string(p) + " names " + name + ", which is no body");
+        "seed " + std::to_string(p) + " names " + name + ", which is not a body");
     }
     bodies[p] = name.empty() ? None : static_cast<Id>(found - names.begin());
   }

@@ -228,7 +228,7 @@ std::vector<Triangle> ReadTriangles(vtkPolyData* boundary)
   const vtkIdType triangles = boundary->GetNumberOfPolys();
   if (triangles != boundary->GetNumberOfCells())
   {
-    Refuse("the boundary has cells that are no polygons");
+    Refuse("the boundary has cells that are not polygons");
   }
   std::vector<Triangle> corners(triangles);
   vtkNew<vtkIdList> ids;

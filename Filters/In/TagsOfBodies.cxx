@@ -71,7 +71,7 @@ Tags ReadBody(const ArrayOfBodies& array, std::size_t body, std::vector<std::str
       const std::string renamed = Attributes::RenameArray(
         array.Bodies[body]->GetCellData(), array.Name, array.BodyNames[body] + "/" + array.Name);
       warnings.push_back("body " + array.BodyNames[body] + ": the array " + array.Name +
-        " is passed on as " + renamed + ", for it tags another body, and not this one (" +
+        " is passed on as " + renamed + ", because it tags another body, and not this one (" +
         error.what() + ")");
     }
   }

@@ -54,7 +54,7 @@ std::vector<bool> WallTags(const SolidMesh& solid, const std::vector<std::string
     if (!isThere)
     {
       throw Error(ErrorCode::InvalidParameter,
-        "LayerTags names " + tag + ", which is no tag of the boundary; its tags are " + all);
+        "LayerTags names " + tag + ", which is not a tag of the boundary; its tags are " + all);
     }
   }
   return isWall;

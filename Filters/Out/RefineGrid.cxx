@@ -347,7 +347,7 @@ std::string OtherEdgesThanRules(const RefinedMesh& refined, const RefinementPara
            parameters.Surface == SurfaceTreatment::Remeshed && middle < 1 / MostTimes)
   {
     words << "half of the edges of the surface are shorter than " << middle
-          << " times what SizeRules asks for, for it stays within SurfaceTolerance, "
+          << " times what SizeRules asks for, because it stays within SurfaceTolerance, "
           << StatisticOf(refined, "SurfaceTolerance")
           << ", and keeps edges above FeatureAngle: larger ones make it coarser";
   }
@@ -383,7 +383,7 @@ std::string OtherEdgesThanAsked(const RefinedMesh& refined, const RefinementPara
   }
   const double middle = MedianOf(lengths);
   words << "EdgeLength is " << asked << ", and half of the edges of the surface are shorter than "
-        << std::setprecision(3) << middle << ", for it stays within SurfaceTolerance, "
+        << std::setprecision(3) << middle << ", because it stays within SurfaceTolerance, "
         << StatisticOf(refined, "SurfaceTolerance")
         << ", and keeps edges above FeatureAngle: larger ones make it coarser";
   return middle < asked / MostTimes ? words.str() : std::string();

@@ -62,7 +62,7 @@ void AlgorithmMonitor::WarnOnce(const char* unknownStage)
     this->Warned = true;
     vtkWarningWithObjectMacro(this->Algorithm,
       << Label(this->Algorithm)
-      << "the progress shown is wrong, for it does not reckon with the stage \"" << unknownStage
+      << "the progress shown is wrong, because its list lacks the stage \"" << unknownStage
       << "\": a bug worth reporting, which the outputs do not suffer from");
   }
 }

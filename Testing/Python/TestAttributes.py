@@ -156,7 +156,7 @@ class NormalsAreUnitVectors(unittest.TestCase):
         cone.Update()
         result = insideout.boolean({"ball": self.sphere(), "cone": cone.GetOutput()}, "ball - cone")
         self.assertIsNone(result.surface.GetPointData().GetNormals())
-        self.assertTrue(any("normals are left out, for input 2 has none" in warning for warning in result.warnings))
+        self.assertTrue(any("normals are left out, because input 2 has none" in warning for warning in result.warnings))
         both = insideout.boolean({"ball": self.sphere(), "other": self.sphere(), "nothing": vtkPolyData()}, "ball + other")
         self.check(both.surface)
         self.assertIsNotNone(both.surface.GetPointData().GetNormals())

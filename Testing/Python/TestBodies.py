@@ -308,12 +308,12 @@ class TestBodies(unittest.TestCase):
     def test_wrong_bodies_and_options_are_named(self):
         bodies = {"left": LEFT, "right": RIGHT}
         for wrong, words in (
-            ({"priority": ["nose"]}, "Priority names nose, which is no body; there are left, right"),
+            ({"priority": ["nose"]}, "Priority names nose, which is not a body; there are left, right"),
             ({"priority": 3}, "priority is 3; it must be a list of names"),
             ({"priority": ["left", 3]}, "it must be a list of names"),
             ({"priority": ["left", "left"]}, "Priority names left twice"),
             ({"seeds": [((1, 1, 1), True)]}, "seed 0 is to be inside, but its point array Body does not say which body"),
-            ({"seeds": [((1, 1, 1), True, "nose")]}, "seed 0 names nose, which is no body"),
+            ({"seeds": [((1, 1, 1), True, "nose")]}, "seed 0 names nose, which is not a body"),
             ({"split_seams": True}, "split_seams takes one body"),
             ({"separate_overlaps": True}, "separate_overlaps takes one body"),
             ({"non_manifold": "split"}, "non_manifold of the kind Split takes one body"),

@@ -140,7 +140,7 @@ class Data(unittest.TestCase):
             for name in names:
                 surfaces.add_array(data, name, np.full(12 if data is box.GetCellData() else 8, 7))
         made = insideout.boolean([box])
-        self.assertEqual(made.warnings, ["the input's array BodyId is passed on as Input_BodyId, for the output has its own"])
+        self.assertEqual(made.warnings, ["the input's array BodyId is passed on as Input_BodyId, because the output has its own"])
         for name in ("Input_BodyId", "BoundaryTag", "RegionIds"):
             self.assertEqual(set(surfaces.cell_array(made.surface, name)), {7})
         self.assertEqual(set(surfaces.point_array(made.surface, "Input_BodyId")), {7})

@@ -200,7 +200,7 @@ class Pieces(CommandLine):
             found = insideout.files.read_surface(self.output)[0].GetNumberOfCells()
             self.assertEqual(found == 12, count == 12)
         self.output = self.path("rest.msh")
-        self.check_failure(run("boolean", "box | wall", box, wall, self.output, "--merge-coplanar-pieces"), "no faces of tetrahedra")
+        self.check_failure(run("boolean", "box | wall", box, wall, self.output, "--merge-coplanar-pieces"), "not faces of tetrahedra")
 
 
 class Law(unittest.TestCase):

@@ -70,7 +70,7 @@ class Demo(CommandLine):
                 path = self.file(f"demo/{name}", "mine\n")
                 done = run_here("demo", self.path("demo"))
                 self.assertEqual((done.returncode, done.stdout), (1, ""))
-                self.assertEqual(done.stderr, f"insideout: {path} bears no mark of insideout, and stays; give the demo another folder: insideout demo FOLDER\n")
+                self.assertEqual(done.stderr, f"insideout: {path} was not written by insideout, and stays; give the demo another folder: insideout demo FOLDER\n")
                 self.assertEqual(self.in_folder("demo"), [name])
                 os.remove(path)
 

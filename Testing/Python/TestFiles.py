@@ -257,7 +257,7 @@ class Refusals(InAFolder):
             (self.write_text("surface", "ply"), "unknown ending"),
             (self.write_text("empty.vtp", ""), "is empty"),
             (self.write_text("broken.vtp", "<VTKFile type='PolyData'><PolyData>"), "cannot read"),
-            (self.write_text("other.vtp", "<VTKFile type='ImageData'/>"), "no VTK XML file of polygons"),
+            (self.write_text("other.vtp", "<VTKFile type='ImageData'/>"), "not a VTK XML file of polygons"),
             (self.write_text("zero.obj", "v 0 0 0\nf 0 1 1\n"), "line 2: face refers to point 0"),
         ):
             with self.subTest(os.path.basename(path)):

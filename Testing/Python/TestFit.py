@@ -147,7 +147,7 @@ class Default(CommandLine):
 
     def test_a_file_that_has_nothing_in_it_is_not_written(self):
         sheet = surfaces.polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.1)], [(0, 1, 2), (0, 2, 3)])
-        with self.assertWarnsRegex(insideout.Warning, r"b\.inp is not written, for nothing is inside"):
+        with self.assertWarnsRegex(insideout.Warning, r"b\.inp is not written, because nothing is inside"):
             insideout.tetrahedralize(sheet, output=self.path("b.inp"))
         self.assertFalse(os.path.exists(self.path("b.inp")))
 

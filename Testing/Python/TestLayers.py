@@ -111,7 +111,7 @@ class Layers(CommandLine):
             ({**LAYERS, "first_height": 0.0}, "first_height is 0"),
             ({**LAYERS, "first_height": -1.0}, "first_height is -1"),
             ({**LAYERS, "layers": 0}, "layers is 0"),
-            ({**LAYERS, "layer_tags": "wall,Door"}, "Door, which is no tag of the boundary; its tags are inlet, outlet, wall"),
+            ({**LAYERS, "layer_tags": "wall,Door"}, "Door, which is not a tag of the boundary; its tags are inlet, outlet, wall"),
             ({**LAYERS, "quadratic_cells": True}, "quadratic_cells"),
             ({**LAYERS, "surface_only": True}, "surface_only"),
             ({**LAYERS, "refine": False}, "refine is False"),

@@ -150,7 +150,7 @@ class Told(CommandLine):
         for _ in range(2):
             self.assertEqual(run_here("query", points, self.source, answers, "--quiet").returncode, 0)
         other = self.file("other.csv", "x,y,z,weight\n1,2,3,4\n")
-        self.check_failure(run_here("query", points, self.source, other), f"{other} bears no mark of insideout")
+        self.check_failure(run_here("query", points, self.source, other), f"{other} was not written by insideout")
         with open(other, encoding="utf-8") as file:
             self.assertEqual(file.read(), "x,y,z,weight\n1,2,3,4\n")
         self.assertEqual(run_here("query", points, self.source, other, "--force", "--quiet").returncode, 0)

@@ -396,7 +396,7 @@ class GlbOfOthers(ObjectFiles):
         gltf.content["textures"] = [{}, {}]
         _, warnings = self.read("a.glb", gltf.bytes())
         self.assertEqual(
-            warnings, ["a.glb: passed over: 1 skins, 1 morphs, 2 primitives of points or lines, 2 textures"]
+            warnings, ["a.glb: skipped: 1 skins, 1 morphs, 2 primitives of points or lines, 2 textures"]
         )
 
     def test_extensions_that_a_shape_needs_are_named(self):
@@ -456,7 +456,7 @@ class GlbOfOthers(ObjectFiles):
             (("accessors", 0, "sparse"), {}, "has a sparse accessor (0)"),
             (("accessors", 1, "count"), 11, "a primitive of triangles has 11 corners"),
             (("bufferViews", 1, "byteLength"), 2400, "the buffer view 1 reaches beyond the 72 bytes of numbers"),
-            (("bufferViews", 1, "byteOffset"), 0, "the accessor 1 has ids of points that are none of 0 to 3"),
+            (("bufferViews", 1, "byteOffset"), 0, "the accessor 1 has ids of points outside 0 to 3"),
             (("buffers", 0, "uri"), "a.bin", "has numbers outside of its own chunk"),
             (("extensionsRequired",), [1], "its JSON is damaged"),
         ):
@@ -550,8 +550,8 @@ class ThreeMfOfOthers(ObjectFiles):
         for model, words in (
             (model_of(good, '<item objectid="2"/>'), "3D/3dmodel.model has no object '2'"),
             (model_of(looped, item), "the object '1' is a component of itself"),
-            (model_of(good.replace('v3="1"', 'v3="4"'), item), "ids of vertices that are none of 0 to 3"),
-            (model_of(good.replace('v3="1"', 'v3="-1"'), item), "ids of vertices that are none of 0 to 3"),
+            (model_of(good.replace('v3="1"', 'v3="4"'), item), "ids of vertices outside 0 to 3"),
+            (model_of(good.replace('v3="1"', 'v3="-1"'), item), "ids of vertices outside 0 to 3"),
             (model_of(good.replace('v3="1"', 'v3="one"'), item), "3D/3dmodel.model, line 1: invalid literal for int"),
             (model_of(good.replace('v3="1"', ""), item), "3D/3dmodel.model, line 1: 'v3' is missing"),
             (model_of(good, '<item objectid="1" transform="1 0 0"/>'), "the transform '1 0 0' is not of 12 numbers"),
@@ -563,7 +563,7 @@ class ThreeMfOfOthers(ObjectFiles):
         file = io.BytesIO()
         with zipfile.ZipFile(file, "w") as archive:
             archive.writestr("letter.txt", "Dear reader")
-        self.check_bad("a.3mf", file.getvalue(), "is no 3MF: its archive has no _rels/.rels")
+        self.check_bad("a.3mf", file.getvalue(), "is not a 3MF file: its archive has no _rels/.rels")
         self.check_bad("a.3mf", b"Dear reader, this is a letter", "is no 3MF file")
 
     def test_entities_that_grow_are_refused(self):
@@ -608,7 +608,7 @@ class Commands(ObjectFiles):
         source = self.file("box.off", surfaces.box())
         for name, content in (("other.glb", tetrahedron().bytes()), ("other.3mf", small_3mf())):
             other = self.file(name, content)
-            self.check_failure(run_here("repair", source, other, "--quiet"), f"{other} bears no mark of insideout")
+            self.check_failure(run_here("repair", source, other, "--quiet"), f"{other} was not written by insideout")
             with open(other, "rb") as file:
                 self.assertEqual(file.read(), content)
 

@@ -76,7 +76,7 @@ class Solid(unittest.TestCase):
 
     def test_lost_area_is_warned_of(self):
         result = insideout.tetrahedralize(ABOVE_GROUND)
-        (warning,) = [warning for warning in result.warnings if "is no part of the solid" in warning]
+        (warning,) = [warning for warning in result.warnings if "is not part of the solid" in warning]
         self.assertIn("97 % are sheets, which enclose nothing: thicken gives them a width, constrain_facets keeps them", warning)
         self.assertAlmostEqual(result.statistics["LostShare"], 400 / 412)
 
@@ -135,7 +135,7 @@ class Lost(unittest.TestCase):
         lost = self.area(result.outliers) if result.outliers.GetNumberOfCells() else 0
         share = lost / self.area(insideout.resolve(path).surface)
         self.assertAlmostEqual(result.statistics["LostShare"], share, delta=1e-6)
-        told = any("is no part of the solid" in warning for warning in result.warnings)
+        told = any("is not part of the solid" in warning for warning in result.warnings)
         self.assertEqual(told, share > 0.1)
         return told
 
@@ -182,7 +182,7 @@ class Verdict(unittest.TestCase):
         inside_out = boxes(((0, 0, 0), 1, False))
         self.assertEqual(
             insideout.check(inside_out, orientation="as-given").verdict,
-            "bounds no solid: it is inside out as it is oriented",
+            "bounds no solid: it is inside out as oriented",
         )
         one_turned = polydata(box_points(), [BOX_FACETS[0][::-1], *BOX_FACETS[1:]])
         why = "1 facet against those around, as it is oriented"

@@ -48,7 +48,7 @@ class Overwriting(CommandLine):
         ):
             with self.subTest(arguments):
                 done = run_here(*arguments, "--quiet")
-                self.check_failure(done, f"{arguments[-1]} bears no mark of insideout", "--force")
+                self.check_failure(done, f"{arguments[-1]} was not written by insideout", "--force")
                 self.assertEqual([self.content(path) for path in (first, second, third)], [OFF.encode()] * 3)
 
     def test_nor_a_solid(self):
@@ -56,7 +56,7 @@ class Overwriting(CommandLine):
         self.assertEqual(run_here(self.of_others("a.off"), solid, "--quiet").returncode, 0)
         other = self.file("other.vtu", self.content(solid).replace(b"Written by InsideOut", b"By somebody else"))
         before = self.content(other)
-        self.check_failure(run_here("refine", solid, other, "--quiet"), f"{other} bears no mark of insideout")
+        self.check_failure(run_here("refine", solid, other, "--quiet"), f"{other} was not written by insideout")
         self.assertEqual(self.content(other), before)
         for told in (("--force",), ()):  # the second time it is insideout's
             self.assertEqual(run_here("refine", solid, other, *told, "--quiet").returncode, 0)
@@ -72,7 +72,7 @@ class Overwriting(CommandLine):
 
     def test_a_name_is_no_mark(self):
         stl = self.file("joy.stl", ASCII[".stl"].replace("solid a", "solid InsideOut_Joy"))
-        self.check_failure(run_here("repair", self.of_others("a.off"), stl, "--quiet"), f"{stl} bears no mark of insideout")
+        self.check_failure(run_here("repair", self.of_others("a.off"), stl, "--quiet"), f"{stl} was not written by insideout")
 
     def test_output_and_force_replace_files_of_others(self):
         first = self.of_others("a.off")

@@ -261,7 +261,7 @@ class Command(unittest.TestCase):
         faces = OBJ + "f 1 2 3 4\n"
         result = insideout.tetrahedralize(self.path("both.obj", faces))
         self.assertEqual(result.statistics["Area"], 4)
-        self.assertTrue(any("2 lines and points were passed over" in warning for warning in result.warnings))
+        self.assertTrue(any("2 lines and points were skipped" in warning for warning in result.warnings))
 
     def test_bad_tables_and_lines_are_named(self):
         for name, content, words in (

@@ -217,7 +217,7 @@ class Inputs(unittest.TestCase):
         grid.InsertNextCell(VTK_TRIANGLE, 3, [0, 1, 2])
         surfaces.add_array(grid.GetCellData(), "Colour", [7, 8])
         found = insideout.check_solid(grid)
-        self.assertEqual(found.warnings, ["1 cells are ignored: they are no tetrahedra"])
+        self.assertEqual(found.warnings, ["1 cells are ignored: they are not tetrahedra"])
         self.assertEqual(found.statistics["Cells"], 1)
         self.assertEqual(cell_array(found.solid, "Colour").tolist(), [7, 8])
         self.assertEqual(cell_array(found.solid, "Orientation").tolist(), [1, 0])
@@ -326,7 +326,7 @@ class Command(CommandLine):
     def test_a_surface_in_a_file_of_solids_is_told(self):
         insideout.write(surfaces.box(), self.path("box.vtp"))
         os.rename(self.path("box.vtp"), self.path("box.vtu"))
-        self.check_failure(run("--check", self.path("box.vtu")), "it is no VTK XML file of cells (UnstructuredGrid)")
+        self.check_failure(run("--check", self.path("box.vtu")), "it is not a VTK XML file of cells (UnstructuredGrid)")
 
 
 if __name__ == "__main__":

@@ -211,7 +211,7 @@ class Commands(Solids):
         for kind in (".msh", ".inp", ".mesh"):
             with self.subTest(kind):
                 other = self.gmsh(BOXES, "other" + kind)
-                self.check_failure(run_here("refine", given, other, "--quiet"), f"{other} bears no mark of insideout")
+                self.check_failure(run_here("refine", given, other, "--quiet"), f"{other} was not written by insideout")
                 self.assertEqual(run_here("refine", given, self.written(kind), "--quiet").returncode, 0)
 
     def test_functions_take_each_format(self):

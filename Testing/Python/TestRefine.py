@@ -202,7 +202,7 @@ class Lengths(unittest.TestCase):
         made, (told,) = self.told(ball, edge_length=0.7, surface_treatment="remeshed")
         self.assertGreater(len(made.boundary.triangles), triangles / 10)
         shorter = np.median(self.edges_of(made))
-        said = f"edge_length is 0.7, and half of the edges of the surface are shorter than {shorter:.3g}, for it stays within surface_tolerance, "
+        said = f"edge_length is 0.7, and half of the edges of the surface are shorter than {shorter:.3g}, because it stays within surface_tolerance, "
         self.assertTrue(told.startswith(said), told)
 
 
@@ -303,7 +303,7 @@ class Function(unittest.TestCase):
             ("edge_length is -1; it must be finite and at least 0", self.solid, {"edge_length": -1}),
             ("grading is 0; it must be finite and at least 1e-06", self.solid, {"grading": 0}),
             (r"sizes has the shape \(2,\); it must have one value", self.solid, {"sizes": [1, 2]}),
-            ("sizes is no table of numbers", self.solid, {"sizes": object()}),
+            ("sizes is not a table of numbers", self.solid, {"sizes": object()}),
             ("the grid has no point array Size", self.solid, {"sizes": "Size"}),
             ("the background has no cells, between", self.solid, {"sizes": "Size", "background": points_with_sizes()}),
             ("background is of type int; it must be a vtkDataSet", self.solid, {"sizes": "Size", "background": 3}),

@@ -358,7 +358,7 @@ class Meshio(InAFolder):
         beside = self.path("solid_boundary.xdmf")
         with open(beside, "w", encoding="utf-8") as file:
             file.write("mine")
-        refusal = r"solid_boundary\.xdmf, beside .*solid\.xdmf, is where the boundary goes, and bears no mark of insideout"
+        refusal = r"solid_boundary\.xdmf, beside .*solid\.xdmf, is where the boundary goes, and was not written by insideout"
         with self.assertRaisesRegex(insideout.Error, refusal):
             insideout.write(self.result.solid, self.path("solid.xdmf"), boundary=self.result.boundary)
         with self.assertRaisesRegex(insideout.Error, refusal):
@@ -377,7 +377,7 @@ class Meshio(InAFolder):
 
     def test_xdmf_refuses_triangles_that_are_no_faces(self):
         box = surfaces.box()
-        with self.assertRaisesRegex(insideout.Error, "solid.xdmf: .* of the boundary is no "):
+        with self.assertRaisesRegex(insideout.Error, "solid.xdmf: .* of the boundary is not a "):
             insideout.write(self.result.solid, self.path("solid.xdmf"), boundary=box)
 
     def test_a_result_becomes_one_mesh_with_groups(self):
@@ -505,7 +505,7 @@ class Refusals(InAFolder):
     def test_boundaries_and_cells_that_do_not_fit_are_named(self):
         other = insideout.tetrahedralize(surfaces.box((5, 5, 5)))
         for name in ("solid.msh", "solid.inp", "solid.mesh"):
-            with self.assertRaisesRegex(insideout.Error, f"{name}: triangle 0 of the boundary is no face of the solid's cells"):
+            with self.assertRaisesRegex(insideout.Error, f"{name}: triangle 0 of the boundary is not a face of the solid's cells"):
                 insideout.write(self.result.solid, self.path(name), boundary=other.boundary)
             with self.assertRaisesRegex(insideout.Error, f"{name}: the grid has no cells"):
                 insideout.write(vtkUnstructuredGrid(), self.path(name))

@@ -529,7 +529,7 @@ class ByGeometry(Tags):
         self.assertIn("no triangle of the boundary is tagged by the rule far=box 5 5 5 6 6 6", result.warnings)
         heard = []
         for rules, message in (
-            ("far", "^the rule far is no name, an equals sign and a condition"),
+            ("far", "^the rule far is not a name, an equals sign and a condition"),
             ({"a": "box 1"}, "^the rule a=box 1 has 1 numbers behind box, which takes X Y Z X Y Z"),
             ({"a;b": "faces"}, "^tag_rules is .*; it must be conditions by names, without semicolons"),
         ):

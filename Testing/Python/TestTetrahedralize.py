@@ -156,7 +156,7 @@ class Laws(unittest.TestCase):
         self.assertEqual(twice.statistics["SeedConflicts"], 1)
         with self.assertRaisesRegex(insideout.Error, "no point array Inside"):
             insideout.tetrahedralize(surface, seeds=surface)
-        with self.assertRaisesRegex(insideout.Error, "seed 1 is no pair"):
+        with self.assertRaisesRegex(insideout.Error, "seed 1 is not a pair"):
             insideout.tetrahedralize(surface, seeds=[((0, 0, 0), True), (1, 2, 3)])
 
     def test_a_data_term_is_one_of_two(self):

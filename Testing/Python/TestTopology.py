@@ -94,7 +94,7 @@ class Regions(unittest.TestCase):
         result = insideout.tetrahedralize(apart(), largest_regions=1, seeds=seeds)
         self.assertEqual(volumes(result), [27])
         self.assertEqual(result.statistics["SeedConflicts"], 1)
-        self.assertIn("1 seeds that are to be inside are outside, for their regions were dropped: seed 1", " ".join(result.warnings))
+        self.assertIn("1 seeds that are to be inside are outside, because their regions were dropped: seed 1", " ".join(result.warnings))
         self.assertEqual(insideout.tetrahedralize(apart(), largest_regions=3, seeds=seeds).statistics["SeedConflicts"], 0)
 
     def test_dropping_all_regions_is_told_once(self):

@@ -76,7 +76,7 @@ class Warnings(unittest.TestCase):
         blocks = [SimpleNamespace(type="tetra", data=solid.cells), SimpleNamespace(type="triangle", data=[(0, 1, 2)])]
         for function in (insideout.check_solid, insideout.refine):
             heard = heard_from(lambda: function(SimpleNamespace(points=solid.points, cells=blocks)))
-            self.assertEqual([str(warning.message) for warning in heard], ["1 cells of the meshio.Mesh are ignored: they are no tetrahedra"])
+            self.assertEqual([str(warning.message) for warning in heard], ["1 cells of the meshio.Mesh are ignored: they are not tetrahedra"])
             self.assertIs(heard[0].category, insideout.Warning)
 
     def test_a_category_can_be_silenced_and_raised(self):

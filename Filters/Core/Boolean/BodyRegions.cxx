@@ -125,7 +125,7 @@ std::vector<Id> PriorityOf(
         all += (all.empty() ? "" : ", ") + body;
       }
       throw Error(ErrorCode::InvalidParameter,
-        "Priority names " + name + ", which is no body; there are " + all);
+        "Priority names " + name + ", which is not a body; there are " + all);
     }
     order.push_back(static_cast<Id>(found - bodies.begin()));
     if (std::find(order.begin(), order.end() - 1, order.back()) != order.end() - 1)

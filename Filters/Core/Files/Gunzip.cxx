@@ -99,7 +99,7 @@ private:
     else
     {
       throw Malformed(this->File,
-        std::to_string(rest.size()) + " bytes behind what gzip has compressed are no part of it");
+        std::to_string(rest.size()) + " bytes after the compressed content are ignored");
     }
   }
 

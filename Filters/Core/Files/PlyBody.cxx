@@ -200,7 +200,7 @@ public:
     if (this->Source.HasMore())
     {
       this->Surface.Warnings.push_back(
-        this->File.Name + ": more was in the file than its header describes, and was passed over");
+        this->File.Name + ": more was in the file than its header describes, and was skipped");
     }
   }
 

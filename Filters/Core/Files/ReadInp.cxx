@@ -155,7 +155,7 @@ private:
   void WarnOfOtherFile(const InpKeyword& keyword)
   {
     this->Builder.Warn(", line " + std::to_string(this->KeywordLine) +
-      ": what is in another file is left out: " + keyword.Get("INPUT"));
+      ": the content of another file is left out: " + keyword.Get("INPUT"));
   }
 
   void BeginNodes(const InpKeyword& keyword)

@@ -75,7 +75,7 @@ private:
   {
     if (!this->SkipToContent() || !EqualsIgnoringCase(this->Scanner.Word(), "meshversionformatted"))
     {
-      this->Scanner.Fail("is no file of Medit's: MeshVersionFormatted has to come first");
+      this->Scanner.Fail("is not a file of Medit's: MeshVersionFormatted has to come first");
     }
     this->Integer();
   }

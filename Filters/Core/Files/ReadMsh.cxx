@@ -126,7 +126,8 @@ private:
   {
     if (!this->Scanner.SkipToContent() || this->Scanner.Word() != "$MeshFormat")
     {
-      this->Scanner.Fail("is no file of gmsh's from version 2 on: $MeshFormat has to come first");
+      this->Scanner.Fail(
+        "is not a file of gmsh's from version 2 on: $MeshFormat has to come first");
     }
     this->Need();
     const std::string version(this->Scanner.Word());

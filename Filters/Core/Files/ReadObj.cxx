@@ -74,11 +74,11 @@ struct CornerData
     if (this->BadLine != 0)
     {
       warnings.push_back(file.Name + ", line " + std::to_string(this->BadLine) +
-        ": face refers to " + this->Name + " that do not exist: all were passed over");
+        ": face refers to " + this->Name + " that do not exist: all were skipped");
     }
     else if (missing > 0 && !none)
     {
-      warnings.push_back(file.Name + ": " + this->Name + " were passed over, as " +
+      warnings.push_back(file.Name + ": " + this->Name + " were skipped, because " +
         std::to_string(missing) + " corners have none");
     }
   }
@@ -511,7 +511,7 @@ private:
       return;
     }
     this->Surface.Warnings.push_back(
-      this->File.Name + ": the colours were passed over, as some points have none from 0 to 255");
+      this->File.Name + ": the colors were skipped, because some points have none from 0 to 255");
   }
 
   void AddWarnings()
@@ -531,7 +531,7 @@ private:
     if (passed.Count > 0)
     {
       this->Surface.Warnings.push_back(this->File.Name + ": " + std::to_string(passed.Count) + " " +
-        things + " were passed over, the first on " + passed.First);
+        things + " were skipped, the first on " + passed.First);
     }
   }
 

@@ -293,8 +293,8 @@ private:
     }
     else if (colors.Any())
     {
-      this->Surface.Warnings.push_back(this->File.Name + ": the numbers behind some " + things +
-        " were passed over, as they are not one colour each");
+      this->Surface.Warnings.push_back(this->File.Name + ": the numbers after some " + things +
+        " were skipped, because they are not one color each");
     }
   }
 
@@ -304,7 +304,7 @@ private:
     if (this->Scanner.SkipToContent())
     {
       this->Surface.Warnings.push_back(this->File.Name + ", line " +
-        std::to_string(this->Scanner.GetLine()) + ": what follows the last face was passed over");
+        std::to_string(this->Scanner.GetLine()) + ": content after the last face was skipped");
     }
   }
 

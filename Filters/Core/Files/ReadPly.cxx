@@ -17,7 +17,7 @@ void WarnOfUnused(
   if (header.UnknownStatements > 0)
   {
     warn(std::to_string(header.UnknownStatements) +
-      " unknown statements were passed over in the header, the first on " + header.FirstUnknown);
+      " unknown statements were skipped in the header, the first on " + header.FirstUnknown);
   }
   for (const PlyElement& element : header.Elements)
   {
@@ -28,14 +28,13 @@ void WarnOfUnused(
     const PlyProperty* const pointIds = header.PointIdsOf(element);
     if (!element.IsKept() && !pointIds)
     {
-      warn(
-        std::to_string(element.Count) + " elements " + Quoted(element.Name) + " were passed over");
+      warn(std::to_string(element.Count) + " elements " + Quoted(element.Name) + " were skipped");
     }
     for (const PlyProperty& property : element.Properties)
     {
       if (element.IsKept() && property.IsList && &property != pointIds)
       {
-        warn("the lists " + Quoted(property.Name) + " of " + element.Name + " were passed over");
+        warn("the lists " + Quoted(property.Name) + " of " + element.Name + " were skipped");
       }
     }
   }

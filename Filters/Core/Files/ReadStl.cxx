@@ -133,7 +133,7 @@ PolygonSurface ReadBinaryStl(const FileContent& file, Monitor& monitor)
   if (at != file.End())
   {
     surface.Warnings.push_back(file.Name + ": " + std::to_string(file.End() - at) +
-      " bytes behind the last triangle were passed over");
+      " bytes after the last triangle were skipped");
   }
   return surface;
 }

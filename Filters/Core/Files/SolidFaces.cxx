@@ -279,7 +279,7 @@ std::vector<CellFace> FacesOfTriangles(
       entries, ofLayer == ofLayers.end() ? NoFaces : ofLayer->second, sorted.Turned, isOuter));
     if (faces.back().Cell == None)
     {
-      Refuse(ErrorCode::InvalidParameter, t, "is no face of the solid's cells");
+      Refuse(ErrorCode::InvalidParameter, t, "is not a face of the solid's cells");
     }
   }
   return faces;

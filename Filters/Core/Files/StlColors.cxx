@@ -59,7 +59,7 @@ void StlColors::MoveTo(PolygonSurface& surface, const FileContent& file)
   else if (colored > 0)
   {
     surface.Warnings.push_back(file.Name + ": colors of " + std::to_string(colored) + " of " +
-      std::to_string(this->Facets) + " triangles were passed over, for the others have none");
+      std::to_string(this->Facets) + " triangles were skipped, because the others have none");
   }
 }
 } // namespace insideout

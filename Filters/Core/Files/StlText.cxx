@@ -93,7 +93,7 @@ public:
       }
       else
       {
-        this->Odd.Note(this->Scanner, "text outside of any solid was passed over");
+        this->Odd.Note(this->Scanner, "text outside of any solid was skipped");
         this->Scanner.SkipLine();
         word = this->Next();
       }
@@ -125,7 +125,7 @@ private:
       {
         return Is(word, "end") ? this->JoinEnd(word) : word;
       }
-      this->Odd.Note(this->Scanner, "a comment, which STL does not have, was passed over");
+      this->Odd.Note(this->Scanner, "a comment, which STL does not have, was skipped");
       this->Scanner.SkipLine();
     }
     return {};
@@ -180,8 +180,7 @@ private:
     std::string_view word = this->Next();
     while (!word.empty() && this->Scanner.GetLine() == line && !isKnown(word))
     {
-      this->Odd.Note(
-        this->Scanner, std::string("what stands behind '") + tag + "' was passed over");
+      this->Odd.Note(this->Scanner, std::string("content after '") + tag + "' was skipped");
       word = this->Next();
     }
     return word;

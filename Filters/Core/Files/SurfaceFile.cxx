@@ -248,8 +248,8 @@ void WarnOfDropped(const FileContent& file, std::uint64_t dropped, PolygonSurfac
 {
   if (dropped > 0)
   {
-    surface.Warnings.push_back(file.Name + ": " + std::to_string(dropped) +
-      " faces with fewer than 3 corners were passed over");
+    surface.Warnings.push_back(
+      file.Name + ": " + std::to_string(dropped) + " faces with fewer than 3 corners were skipped");
   }
 }
 

@@ -90,8 +90,8 @@ ControlledTopology ControlTopology(const SimplicialCells& cells, const CutEnergy
     std::find(inside.begin(), inside.end(), 1) == inside.end())
   {
     result.Warnings.push_back("all " + std::to_string(result.Regions.DroppedRegions) +
-      " regions of the solid were dropped: none is as large, or has a seed inside, as was asked "
-      "for");
+      " regions of the solid were dropped: none is large enough, or has the seed inside that "
+      "is required");
   }
   result.EnergyBefore = energy.Of(inside);
   if (parameters.Goal == TopologyGoal::Any)

@@ -148,22 +148,23 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
   {
     const Id seed = SeedBeside(pieces[kept.Unsatisfied.front()], seeded);
     result.Warnings.push_back(std::to_string(unsatisfied) +
-      " pieces of facets are not kept, for seeds are to be outside on either side of them: seed " +
+      " pieces of facets are not kept, because seeds are to be outside on both sides of them: "
+      "seed " +
       std::to_string(seed) + " beside the first");
   }
   const Id dropped =
     parameters.ConstrainFacets ? CountUnsatisfied(pieces, result.Inside) - unsatisfied : 0;
   if (dropped > 0)
   {
-    result.Warnings.push_back(
-      std::to_string(dropped) + " pieces of facets are not kept, for their regions were dropped");
+    result.Warnings.push_back(std::to_string(dropped) +
+      " pieces of facets are not kept, because their regions were dropped");
   }
   const std::vector<Id> droppedSeeds = DroppedSeeds(graph.Demands, result.Inside);
   const Id lostSeeds = static_cast<Id>(droppedSeeds.size());
   if (lostSeeds > 0)
   {
     result.Warnings.push_back(std::to_string(lostSeeds) +
-      " seeds that are to be inside are outside, for their regions were dropped: seed " +
+      " seeds that are to be inside are outside, because their regions were dropped: seed " +
       std::to_string(seeded.Seeds[droppedSeeds.front()]) + " is one");
   }
   if (filled.LeftPoints > 0)

@@ -286,13 +286,13 @@ std::vector<std::string> WarningsAbout(const FacetTurns& turns)
   if (turns.UndecidedShells > 0)
   {
     warnings.push_back(std::to_string(turns.UndecidedShells) +
-      " shells might as well face the other way: Orientation says what to do with them");
+      " shells could equally face the other way: Orientation says what to do with them");
   }
   if (turns.DoubtfulCopies > 0)
   {
     warnings.push_back(std::to_string(turns.DoubtfulCopies) +
       (turns.DoubtfulCopies == 1 ? " facet" : " facets") +
-      " given again may count too little, for facets disagree or leave edges open: if closed "
+      " given again may count too little, because facets disagree or leave edges open: if closed "
       "surfaces share facets, give each surface as a body");
   }
   return warnings;

@@ -349,7 +349,7 @@ std::vector<TagRule> ReadTagRules(const std::string& text)
     rule.Name = Trimmed(rule.Text.substr(0, equals));
     if (equals == std::string::npos || rule.Name.empty())
     {
-      RefuseRule(rule.Text, "is no name, an equals sign and a condition");
+      RefuseRule(rule.Text, "is not a name, an equals sign and a condition");
     }
     for (const std::string& condition : SplitText(rule.Text.substr(equals + 1), '&'))
     {

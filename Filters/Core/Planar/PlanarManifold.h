@@ -10,7 +10,7 @@ namespace insideout
 /**
  * The boundary of the inside triangles has to be a 1-manifold (thesis, section 8.5.2, for d = 2):
  * at each of its points two of its edges end. If all triangles at a point are inside, no edge ends
- * there, or on the hull two, so filling always succeeds in the end.
+ * there, or two do on the hull, so filling always succeeds.
  */
 class PlanarManifold : public LabelConstraint
 {

@@ -187,7 +187,7 @@ RefinedTriangles RefineTriangles(const SegmentComplex& curve, const PlanarMesh& 
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
     throw Error(ErrorCode::InvalidParameter,
-      "in a plane the boundary can be kept or split where triangles are refined, not remeshed");
+      "in a plane refinement can keep or split the boundary, not remesh it");
   }
   PlanarRefiner refiner(curve, mesh, inside, plane, parameters, monitor);
   refiner.Run();

@@ -64,8 +64,8 @@ public:
    * that `from` lies on are appended to `touched` and not counted.
    *
    * @param[in] first, last the facets, with the sides that `to` lies on
-   * @return whether the line between them decides it: false where it meets an edge or lies in a
-   * plane, where `to` lies on a facet, or where `from` does and `touched` is null
+   * @return whether the line between the two decides it. It does not if it meets an edge or lies in
+   * the plane of a facet, if `to` lies on a facet, or if `from` does and `touched` is null
    */
   bool CountCrossings(const SidedFacet* first, const SidedFacet* last, const PreparedSite& from,
     const Point& to, std::vector<Id>* touched, double& sum) const;

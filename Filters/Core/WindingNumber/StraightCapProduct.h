@@ -55,7 +55,7 @@ struct SliverLines
   double Along[3][Lanes];      ///< to the other end
   double InverseSquare[Lanes]; ///< 1 over its squared length
   double Area[Lanes];          ///< over that of a sphere of radius 1
-  double Width[Lanes];         ///< w at a distance of 1 from an endless strip as wide
+  double Width[Lanes];         ///< w at a distance of 1 from an endless strip of this width
 };
 
 /** Take a sliver as the line from its first to its last corner, with the other corner between. */

@@ -12,11 +12,11 @@ namespace insideout
  * Multiply one site's product by z.
  *
  * Arguments are in (-pi, pi], and an imaginary part of -0 counts as 0. The argument of a product
- * wraps around only if both factors have it in [0, pi] and the product has not, or both have not
- * and the product has. The one exception, two negative real factors, cannot happen: z is never a
- * negative real number. Rounding does no harm: where the arguments add up to nearly 0 or 2 pi, both
- * summands of the imaginary part have the same sign. So it cannot come out on the wrong side of the
- * real axis; where they add up to nearly pi it can, but then the turn is counted along with it.
+ * wraps around only if those of both factors are in [0, pi] and the product's is not, or the
+ * reverse. The one exception, two negative real factors, cannot happen: z is never a negative real
+ * number. Rounding does no harm. If the arguments add up to nearly 0 or 2 pi, both summands of the
+ * imaginary part have the same sign. So the product stays on the right side of the real axis. If
+ * they add up to nearly pi, it may change sides, but then the turn is counted accordingly.
  */
 INSIDEOUT_ALWAYS_INLINE void Multiply(Products& products, int lane, double zReal, double zImaginary)
 {

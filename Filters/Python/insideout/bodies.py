@@ -82,7 +82,7 @@ def _keep_array(data: vtkDataSetAttributes, name: str) -> list[str]:
     copy.SetName(renamed)
     data.RemoveArray(name)
     data.AddArray(copy)
-    return [f"the input's array {name} is passed on as {renamed}, for the output has its own"]
+    return [f"the input's array {name} is passed on as {renamed}, because the output has its own"]
 
 
 def as_bodies(surface: AnyBodies, scale: float, array: Optional[str]) -> tuple[vtkPolyData, list[str], Optional[str]]:

@@ -42,7 +42,7 @@ def read_curve(path: str) -> vtkPolyData:
         cells = {name: row[column] for name, column in place.items() if column < len(row)}
         coordinates = [cells.get("x", ""), cells.get("y", ""), cells.get("z", "0")]
         if not all(map(_is_number, coordinates)):
-            raise Error(f"{path}, line {number}: x, y and z are no numbers: {', '.join(row)}")
+            raise Error(f"{path}, line {number}: x, y and z are not numbers: {', '.join(row)}")
         paths.setdefault(cells.get("path", ""), []).append(len(points))
         points.append(tuple(map(float, coordinates)))
     lines = vtkCellArray()

@@ -25,7 +25,7 @@ DEFECTS = (
         "two facets face opposite ways there: those that disagree with the rest of what they are joined to are turned over",
     ),
     Defect(
-        *("UndecidedShells", "part that might as well face the other way", "parts that might as well face the other way"),
+        *("UndecidedShells", "part that could equally face the other way", "parts that could equally face the other way"),
         "what they enclose may be solid or not: the orientation says what is done with them",
         matters=True,
     ),

@@ -102,7 +102,7 @@ def nodes_of_boundary(solid: Tetrahedra, boundary: TriangleSurface) -> NDArray[n
     _, ids = np.unique(faces, axis=0, return_inverse=True)
     alone = ~np.isin(ids.ravel()[-len(triangles) :], ids.ravel()[: -len(triangles)]) if len(triangles) else np.zeros(0, bool)
     if alone.any():
-        raise Error(f"triangle {int(np.argmax(alone))} of the boundary is no face of a tetrahedron")
+        raise Error(f"triangle {int(np.argmax(alone))} of the boundary is not a face of a tetrahedron")
     return np.hstack([triangles, _midpoints(solid.cells, triangles)]) if solid.kind() == "tetra10" else triangles
 
 
@@ -145,7 +145,7 @@ def _points_there(points: NDArray[np.float64], others: NDArray[np.float64]) -> N
     there[first] = np.arange(len(points))[::-1]
     found = there[ids.ravel()[len(points) :]]
     if (found < 0).any():
-        raise Error(f"point {int(np.argmax(found < 0))} of the boundary is no point of the solid")
+        raise Error(f"point {int(np.argmax(found < 0))} of the boundary is not a point of the solid")
     return found
 
 
@@ -176,7 +176,7 @@ def _midpoints(nodes: NDArray[np.int64], triangles: NDArray[np.int64]) -> NDArra
     found = order[np.minimum(np.searchsorted(keys, wanted_keys, sorter=order), len(keys) - 1)]
     wrong = (keys[found] != wanted_keys).any(axis=1)
     if wrong.any():
-        raise Error(f"triangle {int(np.argmax(wrong))} of the boundary is no face of the solid's cells")
+        raise Error(f"triangle {int(np.argmax(wrong))} of the boundary is not a face of the solid's cells")
     return nodes[:, 4:].reshape(-1)[found]
 
 

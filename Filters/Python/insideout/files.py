@@ -401,7 +401,7 @@ def check_xml(path: str, kind: str, words: str) -> None:
         raise Error(f"cannot read {path}: {messages.errors[0]}{_hint(path)}")
     root = parser.GetRootElement()
     if root is None or root.GetName() != "VTKFile" or root.GetAttribute("type") != kind:
-        raise Error(f"cannot read {path}: it is no VTK XML file of {words} ({kind})")
+        raise Error(f"cannot read {path}: it is not a VTK XML file of {words} ({kind})")
 
 
 def _hint(path: str) -> str:

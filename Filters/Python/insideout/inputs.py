@@ -110,7 +110,7 @@ def path_of(name: str, path: Any) -> str:
     if not isinstance(text, str):
         raise Error(f"{name} is {brief(path)}; it must be a file's name")
     if not text or "\0" in text:
-        raise Error(f"{name} is {brief(text)}, which is no file's name")
+        raise Error(f"{name} is {brief(text)}, which is not a file's name")
     return text
 
 
@@ -178,11 +178,11 @@ def numbers(name: str, values: Any, kind: type = float) -> NDArray:
         with np.errstate(invalid="ignore", over="ignore"):
             array: NDArray = np.require(given, kind, "C")
         if kind is np.int64 and not np.array_equal(array, given):
-            raise Error(f"{name} holds what is no whole number below 2^63")
+            raise Error(f"{name} holds values that are not whole numbers below 2^63")
     except (Error, MemoryError):
         raise
     except Exception:  # noqa: BLE001 - __array__ may raise anything
-        raise Error(f"{name} is no table of numbers") from None
+        raise Error(f"{name} is not a table of numbers") from None
     return array
 
 

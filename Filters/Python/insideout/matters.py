@@ -88,7 +88,7 @@ RULES = (
     ),
     Rule(DECK_OPTIONS, lambda asked: ending(asked.options.output or "") != ".inp", "it completes an .inp file"),
     Rule(DECK_OPTIONS[1:], lambda asked: not asked.has("material"), "it takes --material"),
-    Rule(("material",), lambda asked: not asked.has("fix"), "it takes --fix, for without a support there is no equilibrium"),
+    Rule(("material",), lambda asked: not asked.has("fix"), "it takes --fix, because there is no equilibrium without a support"),
     Rule(("thicken_all",), lambda asked: not asked.has("thicken"), "it takes --thicken"),
     Rule(("seeded_regions",), lambda asked: not asked.has("seeds"), "it takes --seeds"),
     Rule(("priority", "region_rule", "touch_tolerance"), lambda asked: not asked.has_bodies(), "it takes several bodies, by --together or --body-array"),

@@ -275,7 +275,7 @@ def _seed_points(seeds: Iterable[Seed]) -> vtkPolyData:
             inside.InsertNextValue(bool(is_inside))
             bodies.InsertNextValue(name)
     except (TypeError, ValueError, OverflowError):
-        raise Error(f"seed {inside.GetNumberOfValues()} is no pair of a point and a bool") from None
+        raise Error(f"seed {inside.GetNumberOfValues()} is not a pair of a point and a bool") from None
     data = vtkPolyData()
     data.SetPoints(points)
     data.GetPointData().AddArray(inside)

@@ -206,7 +206,7 @@ _OWN: dict[str, Option] = {
     "seeds": Places(
         "SeedsData",
         "What has to be inside or outside: a table of x, y, z, inside (1 or 0), and body where there are bodies.",
-        " Or pairs of a point and a bool, and a body's name behind them, or a vtkPointSet with the point arrays Inside (1 or 0) "
+        " Or tuples (point, bool) or (point, bool, body's name), or a vtkPointSet with the point arrays Inside (1 or 0) "
         "and Body (a name).",
     ),
 }

@@ -59,7 +59,7 @@ def check_beside(path: str) -> None:
     """Raise `Error` where the boundary beside a file of cells would replace a file that nobody named and another program wrote."""
     beside = boundary_beside(path)
     if ending(path) == XDMF and is_of_others(beside):
-        raise Error(f"{beside}, beside {path}, is where the boundary goes, and bears no mark of insideout: move it, or choose another name")
+        raise Error(f"{beside}, beside {path}, is where the boundary goes, and was not written by insideout: move it, or choose another name")
 
 
 def check_holds_layers(path: str, has_layers: bool) -> None:

@@ -93,5 +93,5 @@ def _solid_of_meshio(mesh: Any) -> tuple[Tetrahedra, list[str]]:
     others = sum(len(block.data) for block in mesh.cells if block.type not in ("tetra", "tetra10"))
     if not chosen:
         raise Error("the meshio.Mesh has no tetrahedra")
-    warnings = [f"{others} cells of the meshio.Mesh are ignored: they are no tetrahedra"] if others else []
+    warnings = [f"{others} cells of the meshio.Mesh are ignored: they are not tetrahedra"] if others else []
     return make_solid(mesh.points, np.concatenate(chosen)), warnings

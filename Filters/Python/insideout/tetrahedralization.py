@@ -230,7 +230,7 @@ def tetrahedralize(
     if output is not None and boundary.GetNumberOfCells() > 0:
         warnings += write_result(as_type(of_solid, solid), as_type(faces, boundary), output)
     elif output is not None:
-        warnings.append(f"{output} is not written, for nothing is inside")
+        warnings.append(f"{output} is not written, because nothing is inside")
     return Tetrahedralization(
         solid=cast("Union[Tetrahedra, Triangles]", as_type(of_solid, solid)),
         boundary=as_type(faces, boundary),

@@ -47,7 +47,7 @@ _SURFACE_ENDINGS, _GRID_ENDINGS = " ".join(WRITABLE_SURFACES), " ".join(WRITABLE
 _OTHERS: dict[str, dict[str, Any]] = {
     "hull": {"metavar": "HULL.vtu", "help": "all tetrahedra of the convex hull, with w and Inside"},
     "boundary": {"metavar": "FILE", "help": f"solid's boundary ({_SURFACE_ENDINGS})"},
-    "outliers": {"metavar": "FILE", "help": f"facets that are no part of the solid ({_SURFACE_ENDINGS})"},
+    "outliers": {"metavar": "FILE", "help": f"facets that are not part of the solid ({_SURFACE_ENDINGS})"},
     "plot": {
         "metavar": "FILE",
         "help": "picture (.png) of the defects, a slice of w, and the tetrahedra; or page (.html) with the same to turn and to cut; "

@@ -71,6 +71,6 @@ def write(
         tell(write_surface(data, path))
     else:
         raise Error(
-            f"what is to be written is of type {type(data).__name__}; it can be a result of tetrahedralize or sdf_grid, "
+            f"the data to be written are of type {type(data).__name__}; it can be a result of tetrahedralize or sdf_grid, "
             "a vtkPolyData or a vtkUnstructuredGrid"
         )

@@ -48,7 +48,7 @@ TEST(LostArea, IsWhatASheetHas)
   EXPECT_NEAR(lost.Sheets, 0.4, 1e-12);
   ASSERT_EQ(WarningsAbout(lost).size(), 1u);
   EXPECT_EQ(WarningsAbout(lost)[0],
-    "40 % of the surface's area is no part of the solid; 40 % are sheets, which enclose nothing: "
+    "40 % of the surface's area is not part of the solid; 40 % are sheets, which enclose nothing: "
     "Thicken gives them a width, ConstrainFacets keeps them");
 }
 
@@ -84,7 +84,7 @@ TEST(LostArea, NamesAShellThatIsLostAsAWhole)
   EXPECT_EQ(lost.Shells[0].Number, 0);
   EXPECT_NEAR(lost.Shells[0].Volume, 4, 1e-9);
   ASSERT_EQ(WarningsAbout(lost).size(), 1u);
-  EXPECT_EQ(WarningsAbout(lost)[0].find("shell 0 (volume 4) has holes and is no part"), 0u)
+  EXPECT_EQ(WarningsAbout(lost)[0].find("shell 0 (volume 4) has holes and is not part"), 0u)
     << WarningsAbout(lost)[0];
   EXPECT_TRUE(Lost(Join(house, block)).Shells.empty());
 }

@@ -76,8 +76,7 @@ TEST(Verdict, SaysWhyThereIsNoSolid)
     "bounds no solid: no cell of its mesh is inside");
   Statistics inward = Nothing;
   inward.emplace_back("Cavities", 1);
-  EXPECT_EQ(
-    VerdictOn(Surface(1, 0, 0), inward), "bounds no solid: it is inside out as it is oriented");
+  EXPECT_EQ(VerdictOn(Surface(1, 0, 0), inward), "bounds no solid: it is inside out as oriented");
   EXPECT_EQ(Verdict({}), "bounds no solid: its facets cancel in pairs or do not count");
   EXPECT_EQ(Verdict({ { "Planar", 1 }, { "Area", 400 } }),
     "bounds no solid: it lies in one plane, where it covers an area of 400");

@@ -147,7 +147,7 @@ TEST_F(BoundaryLayers, TellWhereThereIsNoRoomAndNameWhatIsWrong)
   this->Layers->SetLayerTags("door");
   this->Layers->Update();
   EXPECT_TRUE(
-    errors.Heard("door, which is no tag of the boundary; its tags are inlet, outlet, wall"));
+    errors.Heard("door, which is not a tag of the boundary; its tags are inlet, outlet, wall"));
   EXPECT_EQ(this->Layers->GetOutput()->GetNumberOfCells(), 0);
   EXPECT_EQ(this->Layers->GetBoundary()->GetNumberOfCells(), 0);
 }

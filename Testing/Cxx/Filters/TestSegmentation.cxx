@@ -338,7 +338,8 @@ TEST(vtkGraphCutSegmentation, RefusesWhatItsOptionsCannotWorkOn)
   const vtkIdType corners[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
   mixed->InsertNextCell(VTK_VOXEL, 8, corners);
   vtkDoubleArray::SafeDownCast(mixed->GetCellData()->GetArray("w"))->InsertNextValue(0);
-  const std::string words = "cell 6 is no tetrahedron; seeds and constraints need tetrahedra alone";
+  const std::string words =
+    "cell 6 is not a tetrahedron; seeds and constraints need tetrahedra alone";
   expectError(mixed, keepFacets, words);
   expectError(mixed, beManifold, words);
   expectError(mixed, addSeed, words);

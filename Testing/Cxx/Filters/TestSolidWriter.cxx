@@ -240,7 +240,7 @@ TEST(vtkSolidWriter, NamesWhatItCannotWrite)
       const vtkIdType ids[4] = { 0, 1, 2, 3 };
       boundary->GetPolys()->InsertNextCell(4, ids);
     });
-  ExpectError("cells that are no polygons",
+  ExpectError("cells that are not polygons",
     [](vtkUnstructuredGrid*, vtkPolyData* boundary)
     {
       vtkNew<vtkCellArray> lines;
@@ -248,7 +248,7 @@ TEST(vtkSolidWriter, NamesWhatItCannotWrite)
       lines->InsertNextCell(2, ids);
       boundary->SetLines(lines);
     });
-  ExpectError("triangle 2 of the boundary is no face of the solid's cells",
+  ExpectError("triangle 2 of the boundary is not a face of the solid's cells",
     [](vtkUnstructuredGrid*, vtkPolyData* boundary)
     {
       const vtkIdType ids[3] = { 0, 1, 4 };

@@ -64,7 +64,7 @@ def write_demo(folder: str) -> list[str]:
         if os.path.isdir(path):
             raise Error(f"{path} is a folder; give the demo another one: insideout demo FOLDER")
         if is_of_others(path) and not _holds(path, content):
-            raise Error(f"{path} bears no mark of insideout, and stays; give the demo another folder: insideout demo FOLDER")
+            raise Error(f"{path} was not written by insideout, and stays; give the demo another folder: insideout demo FOLDER")
     try:
         os.makedirs(folder, exist_ok=True)
     except OSError as error:

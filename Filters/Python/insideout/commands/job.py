@@ -114,7 +114,7 @@ class Job:
         prevents that."""
         output = self.files.output or ""
         if self.settings.merge_coplanar_pieces and is_for_solver(output):
-            raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
+            raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are not faces of tetrahedra, which such a file needs")
 
     def naming(self, error: str) -> str:
         """The error of the work, prefixed with the surface's name if it names no file."""
@@ -130,7 +130,7 @@ class Job:
         is_told = self.is_replacing()
         could_be_input = ending(path) in (*self.readable, *QUERIES) and ending(path) in MARKED
         if could_be_input and not is_told and is_of_others(path):
-            raise Error(f"{path} bears no mark of insideout; to replace it, name it behind -o or give --force")
+            raise Error(f"{path} was not written by insideout; to replace it, name it after -o or give --force")
 
     def check_name_beside(self) -> None:
         """Raise `Error` where a boundary beside the cells would replace a file that nobody named."""

@@ -95,9 +95,9 @@ class Assembly:
         return surface
 
     def warnings(self) -> list[str]:
-        """Remarks, and one line about all that was passed over."""
+        """Remarks, and one line about all that was skipped."""
         counts = ", ".join(f"{count} {what}" for what, count in self.passed_over.items())
-        return [*self.notes, *([f"passed over: {counts}"] if counts else [])]
+        return [*self.notes, *([f"skipped: {counts}"] if counts else [])]
 
 
 def _tell_apart(surface: vtkPolyData, kind: str, numbers: NDArray[np.int32], names: list[str]) -> None:

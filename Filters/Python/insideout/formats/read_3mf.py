@@ -49,7 +49,7 @@ def read_3mf(path: str, most: float) -> Assembly:
         with zipfile.ZipFile(path) as archive:
             _Package(archive, assembly, most).read()
     except zipfile.BadZipFile as error:
-        raise Error(f"is no ZIP archive, or damaged: {error}") from None
+        raise Error(f"is not a ZIP archive, or is damaged: {error}") from None
     except Error:
         raise
     except (EOFError, OSError, RuntimeError, ValueError, struct.error, zlib.error) as error:
@@ -201,7 +201,7 @@ class _Package:
         if not 0 <= corners.min() <= corners.max() < len(points):
             raise Error(
                 f"is damaged: the object {brief(placement.number)} has ids of vertices "
-                f"that are none of 0 to {len(points) - 1}"
+                f"outside 0 to {len(points) - 1}"
             )
         first = self.assembly.add_points((placement.part, placement.number), points, placement.matrix)
         self.assembly.add_triangles(corners, first, placement.matrix, model.numbers[np.array(placed.materials)])
@@ -215,7 +215,7 @@ class _Package:
 
         self.parse(RELATIONSHIPS_PART, begin)
         if not targets:
-            raise Error(f"is no 3MF: {RELATIONSHIPS_PART} names no model")
+            raise Error(f"is not a 3MF file: {RELATIONSHIPS_PART} names no model")
         return _name_of_part(targets[0])
 
     def model(self, part: str) -> _Model:
@@ -235,7 +235,7 @@ class _Package:
         try:
             compression = self.archive.getinfo(part).compress_type
         except KeyError:
-            raise Error(f"is no 3MF: its archive has no {part}") from None
+            raise Error(f"is not a 3MF file: its archive has no {part}") from None
         if compression not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
             raise Error(f"is damaged: {part} is compressed by method {compression}")
         parser = expat.ParserCreate(namespace_separator=" ")

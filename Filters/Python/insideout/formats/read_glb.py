@@ -142,7 +142,7 @@ class _Gltf:
             ids = np.arange(len(points))
         if ids.dtype.kind not in "iu" or len(ids) > 0 and not 0 <= int(ids.min()) <= int(ids.max()) < len(points):
             raise ValueError(
-                f"the accessor {primitive['indices']} has ids of points that are none of 0 to {len(points) - 1}"
+                f"the accessor {primitive['indices']} has ids of points outside 0 to {len(points) - 1}"
             )
         key = primitive.get("material")
         material = self.assembly.material() if key is None else self.assembly.material(key, self.name_of_material(key))

@@ -247,7 +247,7 @@ TEST(Bodies, PriorityNamesBodies)
     }
   };
   EXPECT_EQ(wordsAbout({ "fat", "hair" }),
-    "Priority names hair, which is no body; there are bone, fat, skin");
+    "Priority names hair, which is not a body; there are bone, fat, skin");
   EXPECT_EQ(wordsAbout({ "fat", "bone", "fat" }), "Priority names fat twice");
 }
 

@@ -117,7 +117,7 @@ TEST(ReadSurface, PassesOverObjTextureCoordinatesThatAreNotThere)
   const PolygonSurface some =
     Read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\nf 1 3 2\n");
   EXPECT_TRUE(some.PointAttributes.empty());
-  EXPECT_TRUE(HasWarning(some, "texture coordinates were passed over, as 3 corners have none"));
+  EXPECT_TRUE(HasWarning(some, "texture coordinates were skipped, because 3 corners have none"));
 }
 
 TEST(ReadSurface, ReadsObjFacesBeforeTheirPoints)
@@ -134,7 +134,7 @@ TEST(ReadSurface, CountsWhatItPassesOverInObj)
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nmg 1 0.5\ns off\nl 1 2\np 1\nl 2 3\nf 1 2 3\nf 1 2\nf 3\nxyz 1\n");
   EXPECT_EQ(surface.Offsets, (std::vector<Id>{ 0, 3 }));
   EXPECT_EQ(surface.Warnings.size(), 3u);
-  EXPECT_TRUE(HasWarning(surface, "3 lines and points were passed over, the first on line 6: 'l'"));
+  EXPECT_TRUE(HasWarning(surface, "3 lines and points were skipped, the first on line 6: 'l'"));
   EXPECT_TRUE(HasWarning(surface, "2 faces with fewer than 3 corners"));
-  EXPECT_TRUE(HasWarning(surface, "1 unknown statements were passed over, the first on line 12"));
+  EXPECT_TRUE(HasWarning(surface, "1 unknown statements were skipped, the first on line 12"));
 }

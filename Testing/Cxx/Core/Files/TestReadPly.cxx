@@ -27,7 +27,7 @@ TEST(ReadSurface, ReadsPlyOfEveryTypeAndFormatToTheSameBits)
     EXPECT_EQ(ValuesOf<unsigned char>(surface.PolygonAttributes, "Colors", 3),
       (std::vector<unsigned char>{ 255, 128, 0 }));
     EXPECT_EQ(surface.Warnings.size(), 1u);
-    EXPECT_TRUE(HasWarning(surface, "2 elements 'material' were passed over"));
+    EXPECT_TRUE(HasWarning(surface, "2 elements 'material' were skipped"));
   }
 }
 
@@ -55,7 +55,7 @@ TEST(ReadSurface, ReadsPlyAttributesByTheirNames)
     (std::vector<unsigned char>{ 255, 128, 0 }));
   EXPECT_EQ(ValuesOf<std::int32_t>(surface.PolygonAttributes, "label", 1),
     (std::vector<std::int32_t>{ 6 }));
-  EXPECT_TRUE(HasWarning(surface, "the lists 'ring' of vertex were passed over"));
+  EXPECT_TRUE(HasWarning(surface, "the lists 'ring' of vertex were skipped"));
   EXPECT_TRUE(HasWarning(surface, "1 faces with fewer than 3 corners"));
 }
 
@@ -99,7 +99,7 @@ TEST(ReadSurface, PassesOverPlyStatementsThatItDoesNotKnow)
     "property float y\nproperty float z\nversion 2\nend_header\n1 2 3\n");
   ExpectSamePoints(surface.Points, { { 1, 2, 3 } });
   EXPECT_TRUE(HasWarning(surface,
-    "a.ply: 2 unknown statements were passed over in the header, the first on line 3: 'Created'"));
+    "a.ply: 2 unknown statements were skipped in the header, the first on line 3: 'Created'"));
 }
 
 TEST(ReadSurface, TakesPlyTriangleStripsApart)
@@ -128,7 +128,7 @@ TEST(ReadSurface, TakesPlyTriangleStripsApart)
     read("element face 1\nproperty list uchar int vertex_indices\n" + strips,
       "3 0 1 2\n3 0 1 2\n3 2 1 3\n");
   EXPECT_EQ(both.Corners, (std::vector<Id>{ 0, 1, 2 }));
-  EXPECT_TRUE(HasWarning(both, "2 elements 'tristrips' were passed over"));
+  EXPECT_TRUE(HasWarning(both, "2 elements 'tristrips' were skipped"));
 
   ExpectMalformed("a.ply",
     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"

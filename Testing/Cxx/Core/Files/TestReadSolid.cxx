@@ -269,7 +269,7 @@ TEST(ReadSolid, ReadsOnePartOfAnAssembly)
       "*END ASSEMBLY\n*INCLUDE, INPUT=loads.inp\n");
   EXPECT_EQ(inp.Points.size(), 5u);
   ASSERT_EQ(inp.Warnings.size(), 1u);
-  EXPECT_NE(inp.Warnings[0].find("line 19: what is in another file is left out: loads.inp"),
+  EXPECT_NE(inp.Warnings[0].find("line 19: the content of another file is left out: loads.inp"),
     std::string::npos)
     << inp.Warnings[0];
   ExpectError("a.inp", part + part, ", line 11: a second *PART begins");
@@ -318,8 +318,8 @@ TEST(ReadSolid, RefusesOtherFormats)
 {
   ExpectError("a.msh", "$MeshFormat\n4 0 8\n", ", line 2: is of version '4' of gmsh's format");
   ExpectError("a.msh", "$MeshFormat\n2.2 1 8\n", ", line 2: is binary");
-  ExpectError("a.msh", "$NOD\n", ", line 1: is no file of gmsh's from version 2 on");
-  ExpectError("a.mesh", "solid\n", ", line 1: is no file of Medit's");
+  ExpectError("a.msh", "$NOD\n", ", line 1: is not a file of gmsh's from version 2 on");
+  ExpectError("a.mesh", "solid\n", ", line 1: is not a file of Medit's");
   const TemporaryFile file("a.vtk", "x");
   Monitor monitor;
   try

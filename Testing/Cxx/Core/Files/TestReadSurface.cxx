@@ -193,7 +193,7 @@ TEST(ReadSurface, PassesOverOffColorsThatSomeFacesLack)
   EXPECT_EQ(ValuesOf<unsigned char>(surface.PointAttributes, "Colors", 3),
     (std::vector<unsigned char>{ 128, 0, 0, 0, 255, 0, 0, 0, 255 }));
   EXPECT_TRUE(surface.PolygonAttributes.empty());
-  EXPECT_TRUE(HasWarning(surface, "numbers behind some faces were passed over"));
+  EXPECT_TRUE(HasWarning(surface, "numbers after some faces were skipped"));
   EXPECT_TRUE(HasWarning(surface, "1 faces with fewer than 3 corners"));
 }
 
@@ -229,7 +229,7 @@ TEST(ReadSurface, ReadsBinaryStlWhateverItsTitle)
     EXPECT_TRUE(surface.Warnings.empty());
     const PolygonSurface longer = Read("a.stl", BinaryStl(title) + "tail");
     ExpectSamePoints(longer.Points, surface.Points);
-    EXPECT_TRUE(HasWarning(longer, "4 bytes behind the last triangle were passed over"));
+    EXPECT_TRUE(HasWarning(longer, "4 bytes after the last triangle were skipped"));
     ExpectMalformed(
       "a.stl", BinaryStl(title).substr(0, 84 + 5 * 50 + 49), ": 12 triangles announced, 5 present");
   }

@@ -133,12 +133,12 @@ TEST(SolidFaces, ThatAreNoneAreNamed)
   const SolidMesh solid = TwoCells();
   const Triangle face = FaceOf(solid.Cells[0], 0);
   ExpectError(ErrorCode::InvalidParameter,
-    "triangle 1 of the boundary is no face of the solid's cells",
+    "triangle 1 of the boundary is not a face of the solid's cells",
     [&]() {
       FacesOfTriangles(solid, solid.Points, { face, { { 0, 1, 4 } } });
     });
   ExpectError(ErrorCode::InvalidParameter,
-    "triangle 0 of the boundary is no face of the solid's cells",
+    "triangle 0 of the boundary is not a face of the solid's cells",
     [&]() {
       FacesOfTriangles(solid, { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 2 } }, { { { 0, 1, 2 } } });
     });

@@ -125,17 +125,17 @@ TEST(StlOfOthers, PartsEndTagsInTwo)
 TEST(StlOfOthers, HasWordsBehindEndTags)
 {
   ExpectPlain(Replaced(Plain, "endfacet", "endfacet 17 of red"),
-    { ", line 8: what stands behind 'endfacet' was passed over (6 times)" });
+    { ", line 8: content after 'endfacet' was skipped (6 times)" });
   ExpectPlain(Replaced(Plain, "endloop", "endloop normal"),
-    { ", line 7: what stands behind 'endloop' was passed over (2 times)" });
-  ExpectPlain(Plain + "that was all\n\x1a",
-    { ", line 17: text outside of any solid was passed over (2 times)" });
-  ExpectPlain("made by me\n" + Plain, { ", line 1: text outside of any solid was passed over" });
+    { ", line 7: content after 'endloop' was skipped (2 times)" });
+  ExpectPlain(
+    Plain + "that was all\n\x1a", { ", line 17: text outside of any solid was skipped (2 times)" });
+  ExpectPlain("made by me\n" + Plain, { ", line 1: text outside of any solid was skipped" });
 }
 
 TEST(StlOfOthers, HasComments)
 {
-  const std::string comment = "a comment, which STL does not have, was passed over";
+  const std::string comment = "a comment, which STL does not have, was skipped";
   for (const char* mark : { "#", "# ", "// ", ";", "!" })
   {
     ExpectPlain(mark + std::string("made by me\n") + Plain, { ", line 1: " + comment });
@@ -182,7 +182,7 @@ TEST(StlOfOthers, CountsTooFewTriangles)
   EXPECT_EQ(Read(binary + zeros).Points, whole.Points)
     << "zeros fill a block, and are no triangles";
   EXPECT_EQ(Read(binary + zeros).Warnings,
-    (std::vector<std::string>{ ": 100 bytes behind the last triangle were passed over" }));
+    (std::vector<std::string>{ ": 100 bytes after the last triangle were skipped" }));
 }
 
 TEST(StlOfOthers, HasColorsInSpareBytes)
@@ -206,7 +206,7 @@ TEST(StlOfOthers, HasColorsInSpareBytes)
   EXPECT_TRUE(colors(some).empty());
   EXPECT_EQ(some.Warnings,
     (std::vector<std::string>{
-      ": colors of 11 of 12 triangles were passed over, for the others have none" }));
+      ": colors of 11 of 12 triangles were skipped, because the others have none" }));
 
   found = colors(Read(WithSpareBytes(BinaryStl("by Magics COLOR=\x01\x02\x03\x04"), bits)));
   ASSERT_EQ(found.size(), 36u);

@@ -129,7 +129,7 @@ TEST(OrientFacets, DoubtsCopiesThatDoNotCountWhereFacetsDisagree)
     if (turns.DoubtfulCopies > 0)
     {
       EXPECT_EQ(turns.Warnings.back(),
-        "1 facet given again may count too little, for facets disagree or leave edges open: if "
+        "1 facet given again may count too little, because facets disagree or leave edges open: if "
         "closed surfaces share "
         "facets, give each surface as a body");
     }

@@ -121,7 +121,7 @@ TEST(TagRules, BadRulesAreNamed)
     }
     return "";
   };
-  EXPECT_EQ(message("inlet"), "the rule inlet is no name, an equals sign and a condition");
+  EXPECT_EQ(message("inlet"), "the rule inlet is not a name, an equals sign and a condition");
   EXPECT_EQ(message("a=box 0 0 0 1 1 1; b=wall 3"),
     "the rule b=wall 3 begins with \"wall\"; it can be normal, box, sphere, plane, face, faces, "
     "nearest, or array");
