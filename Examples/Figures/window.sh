@@ -45,7 +45,7 @@ print("ready", flush=True)
 END
 cat >"$folder/take.sh" <<END
 paraview -qwindowgeometry 1280x860+0+0 -stylesheet "$folder/panel.qss" --dr --script="$folder/look.py" >"$folder/log" 2>&1 &
-for second in \$(seq 60); do sleep 1; grep -q ready "$folder/log" && break; done
+for second in \$(seq 300); do sleep 1; grep -q ready "$folder/log" && break; done
 sleep 6
 import -window root "$folder/window.png"
 kill \$!
