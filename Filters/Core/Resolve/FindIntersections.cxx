@@ -6,9 +6,10 @@
 #include "Common/Stages.h"
 #include "Resolve/FacetsNearOthers.h"
 #include "Resolve/MeetBeyondSharedCorners.h"
-#include "Resolve/SurfaceParts.h"
+#include "Terrain/SurfaceParts.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace insideout
 {
@@ -16,7 +17,7 @@ namespace
 {
 using Pairs = std::vector<std::array<Id, 2>>;
 
-/** Facets, or parts of the tree, per task of a thread. */
+/** Parts of the tree per task of a thread. */
 constexpr Id BlockSize = 256;
 
 /** An estimate of the time per facet. */
@@ -31,14 +32,7 @@ constexpr std::size_t ManyPairs = 4096;
  */
 constexpr std::size_t ManyFacets = 8192;
 
-Id NumberOfBlocks(Id count)
-{
-  return (count + BlockSize - 1) / BlockSize;
-}
-
-/**
- * Call search(i, pairs) for every i below count, on all threads.
- * @return all pairs found, sorted
+/** Call search(i, pairs) for every i below count, on all threads. @return all pairs found, sorted
  */
 template <class Search>
 Pairs Collect(Id count, double cost, Monitor& monitor, const Search& search)
@@ -91,51 +85,29 @@ private:
   const std::vector<Triangle>& Facets;
 };
 
-/** Search the facets from firstNew on among themselves, then the given old ones against them. */
-Pairs SearchNew(const FacetComparer& comparer, Id count, Id firstNew, const std::vector<Id>& others,
-  Monitor& monitor)
+/** Search some facets for pairs of different sets. @param[in] setOf one per facet, of all */
+Pairs SearchBetweenSets(const FacetComparer& comparer, const std::vector<Id>& facets,
+  const std::vector<Id>& setOf, Monitor& monitor)
 {
-  std::vector<Box> boxes;
-  boxes.reserve(static_cast<std::size_t>(count - firstNew));
-  for (Id f = firstNew; f < count; ++f)
+  std::vector<Id> sets;
+  sets.reserve(facets.size());
+  for (const Id f : facets)
   {
-    boxes.push_back(comparer.BoxOf(f));
+    sets.push_back(setOf[f]);
   }
-  const BoxTree tree(boxes);
-  const Id blocksOfNew = NumberOfBlocks(tree.NumberOfParts());
-  const Id numberOfOthers = static_cast<Id>(others.size());
-  const Id blocks = blocksOfNew + NumberOfBlocks(numberOfOthers);
+  const BoxTree tree(comparer.BoxesOf(facets));
+  const std::vector<Id> setsOfParts = tree.SetsOfParts(sets);
+  const Id blocks = (tree.NumberOfParts() + BlockSize - 1) / BlockSize;
   return Collect(blocks, NanosecondsPerFacet * BlockSize, monitor,
     [&](Id block, Pairs& pairs)
     {
-      if (block < blocksOfNew)
+      const Id begin = block * BlockSize;
+      for (Id part = begin; part < std::min(begin + BlockSize, tree.NumberOfParts()); ++part)
       {
-        const Id begin = block * BlockSize;
-        for (Id part = begin; part < std::min(begin + BlockSize, tree.NumberOfParts()); ++part)
-        {
-          tree.VisitPairs(
-            part, [&](Id a, Id b) { comparer.Compare(firstNew + a, firstNew + b, pairs); });
-        }
-        return;
-      }
-      const Id begin = (block - blocksOfNew) * BlockSize;
-      for (Id i = begin; i < std::min(begin + BlockSize, numberOfOthers); ++i)
-      {
-        tree.Visit(comparer.BoxOf(others[i]),
-          [&](Id leaf) { comparer.Compare(others[i], firstNew + leaf, pairs); });
+        tree.VisitPairsBetween(part, sets, setsOfParts,
+          [&](Id a, Id b) { comparer.Compare(facets[a], facets[b], pairs); });
       }
     });
-}
-
-/** The old facets that may meet new ones. */
-std::vector<Id> OldNearNew(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets, Id firstNew)
-{
-  std::vector<Id> isNew(facets.size(), 0);
-  std::fill(isNew.begin() + firstNew, isNew.end(), 1);
-  std::vector<Id> near = FacetsNearOthers(points, facets, isNew, 0);
-  near.erase(std::lower_bound(near.begin(), near.end(), firstNew), near.end());
-  return near;
 }
 
 /** Searches the parts of a surface: those that are not terrains, and pairs whose boxes meet. */
@@ -268,42 +240,23 @@ Pairs FindIntersectionsBetween(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, const std::vector<Id>& setOf, Monitor& monitor)
 {
   monitor.Check(Stages::FindingIntersections, 0);
-  const std::vector<Id> near = FacetsNearOthers(points, facets, setOf, 0);
-  if (near.empty())
-  {
-    return {};
-  }
-  std::vector<Id> sets;
-  for (const Id f : near)
-  {
-    sets.push_back(setOf[f]);
-  }
-  const FacetComparer comparer(points, facets);
-  const BoxTree tree(comparer.BoxesOf(near));
-  const std::vector<Id> setsOfParts = tree.SetsOfParts(sets);
-  return Collect(NumberOfBlocks(tree.NumberOfParts()), NanosecondsPerFacet * BlockSize, monitor,
-    [&](Id block, Pairs& pairs)
-    {
-      const Id begin = block * BlockSize;
-      for (Id part = begin; part < std::min(begin + BlockSize, tree.NumberOfParts()); ++part)
-      {
-        tree.VisitPairsBetween(
-          part, sets, setsOfParts, [&](Id a, Id b) { comparer.Compare(near[a], near[b], pairs); });
-      }
-    });
+  return SearchBetweenSets(
+    FacetComparer(points, facets), FacetsNearOthers(points, facets, setOf, 0), setOf, monitor);
 }
 
 Pairs FindIntersections(const std::vector<Point>& points, const std::vector<Triangle>& facets,
   Id firstNew, Monitor& monitor)
 {
-  monitor.Check(Stages::FindingIntersections, 0);
-  const Id count = static_cast<Id>(facets.size());
-  if (firstNew == count)
+  // The old facets are one set, and each new one is another.
+  std::vector<Id> setOf(facets.size(), 0);
+  std::iota(setOf.begin() + firstNew, setOf.end(), 1);
+  if (firstNew > 0)
   {
-    return {};
+    return FindIntersectionsBetween(points, facets, setOf, monitor);
   }
+  monitor.Check(Stages::FindingIntersections, 0);
   const FacetComparer comparer(points, facets);
-  if (firstNew == 0 && facets.size() >= ManyFacets)
+  if (facets.size() >= ManyFacets)
   {
     const std::optional<SurfaceParts> parts =
       CutIntoParts(points, facets, monitor, { Stages::FindingIntersections, 0, 0 });
@@ -312,6 +265,8 @@ Pairs FindIntersections(const std::vector<Point>& points, const std::vector<Tria
       return PartSearcher(comparer, *parts).Search(monitor);
     }
   }
-  return SearchNew(comparer, count, firstNew, OldNearNew(points, facets, firstNew), monitor);
+  std::vector<Id> all(facets.size());
+  std::iota(all.begin(), all.end(), 0);
+  return SearchBetweenSets(comparer, all, setOf, monitor);
 }
 } // namespace insideout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Resolve/SurfaceParts.h"
+#include "Terrain/SurfaceParts.h"
 
 #include "Common/Box.h"
 #include "Common/Buckets.h"
@@ -8,7 +8,7 @@
 #include "Common/FirstOfEqual.h"
 #include "Common/ParallelLoop.h"
 #include "Common/Vectors.h"
-#include "Resolve/TerrainProof.h"
+#include "Terrain/TerrainProof.h"
 
 #include <cmath>
 

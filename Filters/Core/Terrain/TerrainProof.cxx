@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Resolve/TerrainProof.h"
+#include "Terrain/TerrainProof.h"
 
 #include "Common/DisjointSets.h"
 #include "Common/PointPredicates.h"

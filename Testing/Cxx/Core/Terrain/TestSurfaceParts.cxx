@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Resolve/SurfaceParts.h"
+#include "Terrain/SurfaceParts.h"
 
 #include "Common/Team.h"
 #include "Resolve/FindIntersections.h"
