@@ -26,4 +26,24 @@ private:
   const double Part;
   const double Parts;
 };
+
+/** Asks whether to go on, but reports the same stage and progress all the time. */
+class QuietMonitor : public Monitor
+{
+public:
+  QuietMonitor(Monitor& caller, const ProgressRange& step)
+    : Caller(caller)
+    , Step(step)
+  {
+  }
+
+  bool Continue(const char* /*stage*/, double /*fraction*/) override
+  {
+    return this->Caller.Continue(this->Step.Stage, this->Step.Begin);
+  }
+
+private:
+  Monitor& Caller;
+  const ProgressRange Step;
+};
 } // namespace insideout

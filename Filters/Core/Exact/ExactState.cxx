@@ -43,16 +43,7 @@ ExactState::ExactState(FlippableMesh mesh, std::vector<Triangle> facets, Monitor
 std::vector<bool> ExactState::FacetsThatAreThere() const
 {
   std::vector<bool> areThere(this->Facets.size(), false);
-  for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
-  {
-    for (int k = 0; !this->Mesh.IsDead(cell) && k < 4; ++k)
-    {
-      if (this->Mesh.Cell(cell).Facets[k] != None)
-      {
-        areThere[this->Mesh.Cell(cell).Facets[k]] = true;
-      }
-    }
-  }
+  this->Mesh.VisitFacets([&](Id cell, int k) { areThere[this->Mesh.Cell(cell).Facets[k]] = true; });
   return areThere;
 }
 
@@ -138,9 +129,8 @@ std::set<Id> ExactState::FacetsAround(const std::vector<Id>& points, int rings) 
 
 void ExactState::LetGo(const std::set<Id>& facets)
 {
-  for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
-  {
-    for (int k = 0; !this->Mesh.IsDead(cell) && k < 4; ++k)
+  this->Mesh.VisitFacets(
+    [&](Id cell, int k)
     {
       if (facets.count(this->Mesh.Cell(cell).Facets[k]) > 0)
       {
@@ -150,8 +140,7 @@ void ExactState::LetGo(const std::set<Id>& facets)
           this->Mesh.Touch(corner);
         }
       }
-    }
-  }
+    });
   std::vector<bool> isUsed(static_cast<std::size_t>(this->Segments.Size()), false);
   const std::vector<bool> areThere = this->FacetsThatAreThere();
   for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)

@@ -17,26 +17,7 @@ namespace
 /** Attempts from scratch before meshing without facets. */
 constexpr int Attempts = 8;
 
-/** The faces that facets lie on, each from the first of its two cells. */
-void CollectFaces(const FlippableMesh& mesh, const std::vector<Id>& renamed,
-  const std::vector<Id>& names, RawTetrahedra& result)
-{
-  for (Id id = 0; id < mesh.NumberOfCells(); ++id)
-  {
-    const FlippableCell& cell = mesh.Cell(id);
-    for (int k = 0; !mesh.IsDead(id) && k < 4; ++k)
-    {
-      if (cell.Facets[k] != None && cell.Neighbors[k] >= id)
-      {
-        const Triangle face = mesh.FaceCorners(id, k);
-        result.Faces.push_back({ { renamed[face[0]], renamed[face[1]], renamed[face[2]] } });
-        result.FacetOfFaces.push_back(names[cell.Facets[k]]);
-      }
-    }
-  }
-}
-
-/** The finite cells, and the faces with facets, under these names. */
+/** The finite cells, and the faces with facets by these names. */
 RawTetrahedra ResultOf(
   const FlippableMesh& mesh, const std::vector<Point>& points, const std::vector<Id>& names)
 {
@@ -61,7 +42,17 @@ RawTetrahedra ResultOf(
       corner = renamed[corner];
     }
   }
-  CollectFaces(mesh, renamed, names, result);
+  mesh.VisitFacets(
+    [&](Id id, int k)
+    {
+      const FlippableCell& cell = mesh.Cell(id);
+      if (cell.Neighbors[k] >= id) // each face once
+      {
+        const Triangle face = mesh.FaceCorners(id, k);
+        result.Faces.push_back({ { renamed[face[0]], renamed[face[1]], renamed[face[2]] } });
+        result.FacetOfFaces.push_back(names[cell.Facets[k]]);
+      }
+    });
   return result;
 }
 

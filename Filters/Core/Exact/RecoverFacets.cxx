@@ -13,11 +13,8 @@ namespace insideout
 {
 namespace
 {
-struct MeshEdge
-{
-  Id U;
-  Id V;
-};
+/** From one vertex to another. */
+using MeshEdge = std::pair<Id, Id>;
 
 enum class Search
 {
@@ -53,8 +50,8 @@ std::vector<MeshEdge> BoundaryOf(const ExactState& state, Id facet)
 Search FaceBeside(const FlippableMesh& mesh, const Triangle& corners, const MeshEdge& edge, Id off,
   MeshFace& face, Id& apex, MeshEdge& crossing)
 {
-  const Id x = edge.U;
-  const Id y = edge.V;
+  const Id x = edge.first;
+  const Id y = edge.second;
   const ExactVertices& vertices = mesh.Vertices();
   const Id cell = mesh.FindEdge(x, y);
   if (cell == None)
@@ -111,17 +108,13 @@ Search FindFaces(
     return Search::Impossible;
   }
   std::vector<MeshEdge> open = BoundaryOf(state, facet);
-  std::set<std::pair<Id, Id>> boundary;
-  for (const MeshEdge& edge : open)
-  {
-    boundary.insert({ edge.U, edge.V });
-  }
-  std::set<std::pair<Id, Id>> done;
+  const std::set<MeshEdge> boundary(open.begin(), open.end());
+  std::set<MeshEdge> done;
   while (!open.empty())
   {
     const MeshEdge edge = open.back();
     open.pop_back();
-    if (done.count({ edge.U, edge.V }))
+    if (done.count(edge) > 0)
     {
       continue;
     }
@@ -133,13 +126,13 @@ Search FindFaces(
       return search;
     }
     faces.push_back(face);
-    done.insert({ edge.U, edge.V });
-    for (const MeshEdge& next : { MeshEdge{ edge.V, apex }, MeshEdge{ apex, edge.U } })
+    done.insert(edge);
+    for (const MeshEdge& next : { MeshEdge{ edge.second, apex }, MeshEdge{ apex, edge.first } })
     {
-      done.insert({ next.U, next.V });
-      if (!boundary.count({ next.U, next.V }))
+      done.insert(next);
+      if (boundary.count(next) == 0)
       {
-        open.push_back({ next.V, next.U });
+        open.emplace_back(next.second, next.first);
       }
     }
   }
@@ -212,15 +205,15 @@ std::vector<MeshEdge> AllCrossings(
   const FlippableMesh& mesh, const FlipTarget& target, const MeshEdge& first)
 {
   std::vector<MeshEdge> edges(1, first);
-  std::set<std::pair<Id, Id>> known = { std::minmax(first.U, first.V) };
+  std::set<MeshEdge> known = { std::minmax(first.first, first.second) };
   EdgeRing ring;
   for (std::size_t next = 0; next < edges.size(); ++next)
   {
-    const MeshEdge edge = edges[next];
-    mesh.Ring(edge.U, edge.V, mesh.FindEdge(edge.U, edge.V), ring);
+    const auto [u, v] = edges[next];
+    mesh.Ring(u, v, mesh.FindEdge(u, v), ring);
     for (const Id p : ring.Points)
     {
-      for (const Id end : { edge.U, edge.V })
+      for (const Id end : { u, v })
       {
         if (target.CostOfEdge(end, p) > 0 && known.insert(std::minmax(end, p)).second)
         {
@@ -268,7 +261,7 @@ bool Recover(ExactState& state, Id facet, const FlipEffort& effort)
         return false;
       }
       int budget = effort.Budget;
-      RemoveEdgeDeeply(state, crossing.U, crossing.V, target, effort, budget);
+      RemoveEdgeDeeply(state, crossing.first, crossing.second, target, effort, budget);
     }
     if (mesh.NumberOfChanges() == before)
     {
@@ -281,16 +274,17 @@ bool Recover(ExactState& state, Id facet, const FlipEffort& effort)
 /** Insert a point where the edge crosses the facet's plane, if it does. */
 bool SplitOnFacet(FlippableMesh& mesh, const Triangle& f, const MeshEdge& edge)
 {
-  const DyadicNumber atU = mesh.Vertices().Determinant(f[0], f[1], f[2], edge.U);
-  const DyadicNumber atV = mesh.Vertices().Determinant(f[0], f[1], f[2], edge.V);
-  const Id cell = mesh.FindEdge(edge.U, edge.V);
+  const auto [u, v] = edge;
+  const DyadicNumber atU = mesh.Vertices().Determinant(f[0], f[1], f[2], u);
+  const DyadicNumber atV = mesh.Vertices().Determinant(f[0], f[1], f[2], v);
+  const Id cell = mesh.FindEdge(u, v);
   if (cell == None || atU.sign() * atV.sign() >= 0)
   {
     return false;
   }
-  const Id point = mesh.AddVertexBetween(edge.U, edge.V, DyadicNumber(0) - atV, atU, f);
+  const Id point = mesh.AddVertexBetween(u, v, DyadicNumber(0) - atV, atU, f);
   EdgeRing ring;
-  mesh.Ring(edge.U, edge.V, cell, ring);
+  mesh.Ring(u, v, cell, ring);
   mesh.SplitEdge(ring, point);
   return true;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/ValidFacets.h"
 
+#include "Common/PartMonitor.h"
 #include "Common/PointPredicates.h"
 #include "Common/SortedTriangle.h"
 #include "Exact/Phases.h"
@@ -11,27 +12,6 @@
 
 namespace insideout
 {
-namespace
-{
-/** Lets the caller stop the search; forwards no stage and no progress. */
-class AskingMonitor : public Monitor
-{
-public:
-  explicit AskingMonitor(Monitor& caller)
-    : Caller(caller)
-  {
-  }
-
-  bool Continue(const char*, double) override
-  {
-    return this->Caller.Continue(Phases::FindingCrossings.Stage, Phases::FindingCrossings.At(0));
-  }
-
-private:
-  Monitor& Caller;
-};
-} // namespace
-
 std::vector<Id> FacetsWithArea(
   const std::vector<Point>& points, const std::vector<Triangle>& facets)
 {
@@ -65,8 +45,8 @@ std::set<Id> FacetsThatCross(
       crossing.insert(facet);
     }
   }
-  AskingMonitor asking(monitor);
-  for (const std::array<Id, 2>& pair : FindIntersections(points, proper, asking))
+  QuietMonitor quiet(monitor, Phases::FindingCrossings);
+  for (const std::array<Id, 2>& pair : FindIntersections(points, proper, quiet))
   {
     crossing.insert({ names[pair[0]], names[pair[1]] });
   }

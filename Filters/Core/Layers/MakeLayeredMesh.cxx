@@ -206,17 +206,16 @@ private:
     this->AppendMiddles(this->Result.Tetrahedra, middles);
     this->AppendMiddles(this->Result.Pyramids, middles);
     this->AppendMiddles(this->Result.Prisms, middles);
-    const CellLocator locator(this->Solid.Input);
     const std::vector<Id>& regions = this->Solid.Regions;
     std::vector<Id>& cells = this->Result.OriginalCells;
     const std::vector<Id> near = cells;
-    locator.Locate(middles, cells, monitor, { Stages::Layering, 0.9, 0.97 });
+    LocateCells(this->Solid.Input, middles, cells, monitor, { Stages::Layering, 0.9, 0.97 });
     for (std::size_t c = 0; c < near.size() && !regions.empty(); ++c)
     {
       cells[c] = regions[cells[c]] == regions[near[c]] ? cells[c] : near[c]; // by rounding
     }
-    locator.Locate(
-      this->Result.Points, this->Result.CellsOfPoints, monitor, { Stages::Layering, 0.97, 1 });
+    LocateCells(this->Solid.Input, this->Result.Points, this->Result.CellsOfPoints, monitor,
+      { Stages::Layering, 0.97, 1 });
   }
 
   struct CellOfLayer

@@ -108,6 +108,22 @@ public:
   /** The cells around an edge of `cell`. */
   void Ring(Id u, Id v, Id cell, EdgeRing& ring) const;
 
+  /** Call visit(cell, k) for each face k of a cell that has a facet: from both sides. */
+  template <class Visitor>
+  void VisitFacets(const Visitor& visit) const
+  {
+    for (Id cell = 0; cell < this->NumberOfCells(); ++cell)
+    {
+      for (int k = 0; k < 4 && !this->IsDead(cell); ++k)
+      {
+        if (this->Cells[cell].Facets[k] != None)
+        {
+          visit(cell, k);
+        }
+      }
+    }
+  }
+
   /** The value of Workspace::Changes after the last change of the cells around a vertex. */
   std::int64_t LastChangeAround(Id vertex) const { return this->ChangeAround[vertex]; }
 

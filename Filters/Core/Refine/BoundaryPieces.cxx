@@ -4,6 +4,7 @@
 #include "Resolve/MeetBeyondSharedCorners.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace insideout
 {
@@ -74,12 +75,7 @@ bool BoundaryPieces::StayApart(
   {
     goneKeys.push_back(KeyOf(piece));
   }
-  struct BoxedPiece
-  {
-    const SurfacePiece* Piece;
-    Box Bounds;
-  };
-  std::vector<BoxedPiece> others;
+  std::vector<std::pair<const SurfacePiece*, Box>> others;
   this->Octree.Visit(BoxOf(fresh),
     [&](Id id)
     {
@@ -93,8 +89,7 @@ bool BoundaryPieces::StayApart(
   {
     const Box box = BoxOf(piece);
     if (std::any_of(others.begin(), others.end(),
-          [&](const BoxedPiece& other)
-          { return box.Meets(other.Bounds) && Meet(piece, *other.Piece); }))
+          [&](const auto& other) { return box.Meets(other.second) && Meet(piece, *other.first); }))
     {
       return false;
     }

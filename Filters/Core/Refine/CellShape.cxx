@@ -108,7 +108,7 @@ Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, cons
   return { { { a[0] + offset[0], a[1] + offset[1], a[2] + offset[2] } }, Dot(offset, offset) };
 }
 
-CircleOfTriangle CircumcircleOf(const std::array<Point, 3>& triangle)
+Circumsphere CircumcircleOf(const std::array<Point, 3>& triangle)
 {
   const Point u = Difference(triangle[1], triangle[0]);
   const Point v = Difference(triangle[2], triangle[0]);

@@ -48,20 +48,12 @@ double ShapeOfAngle(double degrees);
 
 Point Barycentre(const std::vector<Point>& points, const Tetrahedron& cell);
 
-/** A circumcenter and the squared radius. */
+/** A circumcenter, of a triangle in its plane, and the squared radius. */
 struct Circumsphere
 {
   Point Center;
-  double SquaredRadius; ///< not finite if the cell is too flat for doubles
+  double SquaredRadius; ///< not finite if the cell or triangle is too flat for doubles
 };
 Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, const Point& d);
-
-/** The circumcenter of a triangle in its plane, and the squared radius.
- */
-struct CircleOfTriangle
-{
-  Point Center;
-  double SquaredRadius; ///< not finite if the triangle is too thin for doubles
-};
-CircleOfTriangle CircumcircleOf(const std::array<Point, 3>& triangle);
+Circumsphere CircumcircleOf(const std::array<Point, 3>& triangle);
 } // namespace insideout

@@ -13,15 +13,10 @@ namespace insideout
  * stay within the tolerance and keep its topology (the link conditions of Dey, Edelsbrunner, Guha
  * and Nekhayev 1999, Topology Preserving Edge Contraction).
  */
-class SurfaceContraction
+class SurfaceContraction : public SurfaceOperator
 {
 public:
-  SurfaceContraction(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
-    : Mesh(mesh)
-    , Surface(surface)
-    , Bound(bound)
-  {
-  }
+  using SurfaceOperator::SurfaceOperator;
 
   /**
    * Contract a point into a neighbor, if all new shapes (ShapeOf) are above `wanted`, at least 0,
@@ -58,9 +53,6 @@ private:
   bool KeepsLabels() const;
   void Replace();
 
-  RefinableMesh& Mesh;
-  RefinableSurface& Surface;
-  SurfaceBound& Bound;
   Around OfPoint;
   Around OfTarget;
   CellExchange Exchange;

@@ -48,14 +48,9 @@ struct Step
 std::vector<Step> FindSteps(const RefinableMesh& mesh, double tolerance)
 {
   std::vector<Step> steps;
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    for (int k = 0; k < 4 && !mesh.IsDead(c); ++k)
+  mesh.VisitFacets(
+    [&](Id c, int k)
     {
-      if (mesh.Cell(c).Facets[k] == None)
-      {
-        continue;
-      }
       const Triangle f = FaceAcross(mesh.Cell(c).Corners, k);
       std::array<double, 3> lengths;
       for (int i = 0; i < 3; ++i)
@@ -71,22 +66,15 @@ std::vector<Step> FindSteps(const RefinableMesh& mesh, double tolerance)
           steps.push_back({ lengths[i], ends });
         }
       }
-    }
-  }
+    });
   SortUniquely(steps);
   return steps;
 }
 
-class StepContraction
+class StepContraction : public SurfaceOperator
 {
 public:
-  StepContraction(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
-    : Mesh(mesh)
-    , OnSurface(mesh, surface, bound)
-    , InSolid(mesh)
-    , Reconnect(mesh, surface, bound)
-  {
-  }
+  using SurfaceOperator::SurfaceOperator;
 
   /** Contract an edge, if both ends still exist and it is possible. */
   bool Contract(Id point, Id target)
@@ -120,10 +108,9 @@ public:
 
 private:
   const double Flat = ShapeOfAngle(FlatAngle);
-  RefinableMesh& Mesh;
-  SurfaceContraction OnSurface;
-  Contraction InSolid;
-  Reconnection Reconnect;
+  SurfaceContraction OnSurface{ this->Mesh, this->Surface, this->Bound };
+  Contraction InSolid{ this->Mesh };
+  Reconnection Reconnect{ this->Mesh, this->Surface, this->Bound };
 };
 } // namespace
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace insideout
@@ -90,13 +91,6 @@ double NearestNeighbor(const RefinableMesh& mesh, Id point, std::vector<Id>& sta
   return nearest;
 }
 
-/** A cell to check, with its version, which tells whether it still exists. */
-struct Candidate
-{
-  Id Cell;
-  Id Version;
-};
-
 class Filling
 {
 public:
@@ -140,7 +134,9 @@ private:
   template <class Insert>
   void Run(const Insert& insert, Monitor& monitor, const ProgressRange& progress)
   {
-    std::deque<Candidate> queue; // drop checked cells: they far outnumber the cells of the mesh
+    // Cells to check, with their versions, which tell whether they still exist. Checked ones are
+    // dropped: they far outnumber the cells of the mesh.
+    std::deque<std::pair<Id, Id>> queue;
     for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
     {
       queue.push_back({ cell, this->Mesh.Cell(cell).Version });

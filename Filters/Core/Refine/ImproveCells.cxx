@@ -48,22 +48,8 @@ constexpr double LongestEdge = 1.8;
 constexpr double AngleAmidLongEdge = 10;
 constexpr std::size_t LargestCavityAmidLongEdge = 100;
 
-/** Per point, the time of the last attempt, counted in changes of the mesh. */
-class Tries
-{
-public:
-  /** Whether the surroundings of the point have changed since the last call. */
-  bool IsNew(const RefinableMesh& mesh, Id point)
-  {
-    this->At.resize(mesh.Points.size(), None);
-    const bool isNew = mesh.LastChangeAround(point) > this->At[point];
-    this->At[point] = mesh.NumberOfChanges();
-    return isNew;
-  }
-
-private:
-  std::vector<std::int64_t> At;
-};
+/** Per point or cell, the time of the last attempt, counted in changes of the mesh. */
+using Tries = std::vector<std::int64_t>;
 
 class Improvement
 {
@@ -106,7 +92,8 @@ public:
   void Improve(Id cell, bool mayAdd)
   {
     if (this->Mesh.IsDead(cell) || this->ShapeOfCell(cell) >= this->Good ||
-      !this->HasChanged(cell) || this->Reconnect.ImproveCell(cell))
+      !this->IsNew(cell, this->LastChangeAt(cell), this->TriedAt) ||
+      this->Reconnect.ImproveCell(cell))
     {
       return;
     }
@@ -171,13 +158,19 @@ private:
     return last;
   }
 
-  /** Whether anything around the cell has changed since the last call for it. */
-  bool HasChanged(Id cell)
+  /** Whether anything has changed around a point or cell since this was asked last. */
+  bool IsNew(Id which, std::int64_t lastChange, Tries& tries)
   {
-    this->TriedAt.resize(this->Mesh.NumberOfCells(), None);
-    const bool hasChanged = this->LastChangeAt(cell) > this->TriedAt[cell];
-    this->TriedAt[cell] = this->Mesh.NumberOfChanges();
-    return hasChanged;
+    const auto size = std::max<std::size_t>(this->Mesh.Points.size(), this->Mesh.NumberOfCells());
+    tries.resize(size, None);
+    const bool isNew = lastChange > tries[which];
+    tries[which] = this->Mesh.NumberOfChanges();
+    return isNew;
+  }
+
+  bool IsNewPoint(Id point, Tries& tries)
+  {
+    return this->IsNew(point, this->Mesh.LastChangeAround(point), tries);
   }
 
   bool MoveCorners(const Tetrahedron& corners)
@@ -185,7 +178,7 @@ private:
     bool isMoved = false;
     for (const Id corner : corners)
     {
-      if (this->SmoothedAt.IsNew(this->Mesh, corner) && this->Smooth.Smooth(corner))
+      if (this->IsNewPoint(corner, this->SmoothedAt) && this->Smooth.Smooth(corner))
       {
         isMoved = true;
         if (ShapeOf(this->Mesh.Points, corners) >= this->Good)
@@ -202,7 +195,7 @@ private:
     return std::any_of(corners.begin(), corners.end(),
       [this](Id corner)
       {
-        if (!this->RemovedAt.IsNew(this->Mesh, corner))
+        if (!this->IsNewPoint(corner, this->RemovedAt))
         {
           return false;
         }
@@ -249,7 +242,7 @@ private:
   const bool IsRemeshed;
   const double Good; ///< shape
   PointInsertion Insert;
-  std::vector<std::int64_t> TriedAt; ///< per cell, in changes of the mesh
+  Tries TriedAt; ///< cells
   Tries SmoothedAt;
   Tries RemovedAt;
 };

@@ -24,7 +24,7 @@ constexpr double LeastShape = 1e-14;
 /** Whether a place in the plane of a triangle is in its circumcircle. */
 bool IsInCircle(const std::array<Point, 3>& t, const Point& place)
 {
-  const CircleOfTriangle circle = CircumcircleOf(t);
+  const Circumsphere circle = CircumcircleOf(t);
   return !(SquaredDistance(circle.Center, place) >= circle.SquaredRadius);
 }
 

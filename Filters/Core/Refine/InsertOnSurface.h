@@ -31,16 +31,10 @@ struct EdgeOfCell
  * surface only the pieces at an edge are halved. Rounding puts the point beside its facet: the
  * facet determines which faces are removed, and each new cell has a positive volume, exactly.
  */
-class SurfaceInsertion
+class SurfaceInsertion : public SurfaceOperator
 {
 public:
-  SurfaceInsertion(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
-    : Mesh(mesh)
-    , Surface(surface)
-    , Bound(bound)
-    , Hole(mesh)
-  {
-  }
+  using SurfaceOperator::SurfaceOperator;
 
   /** Find the cavity of the middle of an edge of facets. */
   bool FindOnEdge(const EdgeOfCell& edge);
@@ -98,15 +92,12 @@ private:
   bool FitsTogether() const;
   bool StaysApart();
 
-  RefinableMesh& Mesh;
-  RefinableSurface& Surface;
-  SurfaceBound& Bound;
   EdgeOfCell Met;
   Edge Halved;             ///< the edge whose midpoint is inserted, if any
   std::size_t Certain = 0; ///< the pieces that contain the point
   std::vector<PieceOfCell> Pieces;
   std::vector<Triangle> Dropped; ///< these, sorted
-  Cavity Hole;
+  Cavity Hole{ this->Mesh };
   std::vector<RimEdge> Rim;
 };
 } // namespace insideout

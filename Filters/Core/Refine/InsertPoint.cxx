@@ -17,8 +17,16 @@ namespace
 constexpr int MostSteps = 2000;
 } // namespace
 
-bool PointInsertion::Walk(Id cell)
+/** Whether a place is on the inner side of a wall. */
+bool PointInsertion::IsSeen(const Triangle& wall, const Point& place) const
 {
+  const std::vector<Point>& points = this->Mesh.Points;
+  return Orient3D(points[wall[0]], points[wall[1]], points[wall[2]], place) > 0;
+}
+
+bool PointInsertion::Locate(Id cell, const Point& place)
+{
+  this->Hole.Place = place;
   Id before = None;
   for (int step = 0; step < MostSteps; ++step)
   {
@@ -54,12 +62,6 @@ bool PointInsertion::Walk(Id cell)
   return false;
 }
 
-bool PointInsertion::Locate(Id cell, const Point& place)
-{
-  this->Hole.Place = place;
-  return this->Walk(cell);
-}
-
 double PointInsertion::SquaredDistanceToHolder() const
 {
   double least = std::numeric_limits<double>::infinity();
@@ -72,10 +74,8 @@ double PointInsertion::SquaredDistanceToHolder() const
 
 bool PointInsertion::FindCavity(std::size_t most)
 {
-  const std::vector<Point>& points = this->Mesh.Points;
   const auto isOpen = [](Id /*cell*/, int /*k*/) { return false; };
-  const auto isSeen = [&](const Triangle& wall)
-  { return Orient3D(points[wall[0]], points[wall[1]], points[wall[2]], this->Hole.Place) > 0; };
+  const auto isSeen = [&](const Triangle& wall) { return this->IsSeen(wall, this->Hole.Place); };
   this->Hole.Start(this->Hole.Place);
   this->Hole.Add(this->Holding);
   this->Hole.Grow(most);
@@ -92,13 +92,10 @@ bool PointInsertion::FindCavity(std::size_t most)
 
 double PointInsertion::OptimizePlace()
 {
-  const std::vector<Point>& points = this->Mesh.Points;
   Point place = this->Hole.Place;
-  const double shape = FindBestPlace(points, this->Hole.Walls, place);
-  const bool isSeen = std::all_of(this->Hole.Walls.begin(), this->Hole.Walls.end(),
-    [&](const Triangle& wall)
-    { return Orient3D(points[wall[0]], points[wall[1]], points[wall[2]], place) > 0; });
-  if (!isSeen)
+  const double shape = FindBestPlace(this->Mesh.Points, this->Hole.Walls, place);
+  if (!std::all_of(this->Hole.Walls.begin(), this->Hole.Walls.end(),
+        [&](const Triangle& wall) { return this->IsSeen(wall, place); }))
   {
     return 0;
   }

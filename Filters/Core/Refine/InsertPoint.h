@@ -56,7 +56,7 @@ public:
   Id Insert(double size);
 
 private:
-  bool Walk(Id cell);
+  bool IsSeen(const Triangle& wall, const Point& place) const;
 
   RefinableMesh& Mesh;
   Id Holding = None;

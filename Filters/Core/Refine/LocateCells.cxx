@@ -38,13 +38,12 @@ bool IsBeyond(
   const Triangle f = FaceOf(cell, face);
   return Orient3D(points[f[0]], points[f[1]], points[f[2]], place) > 0;
 }
-} // namespace
 
-bool CellLocator::Holds(Id cell, const Point& place) const
+bool Holds(const TetrahedralMesh& mesh, Id cell, const Point& place)
 {
   for (int k = 0; k < 4; ++k)
   {
-    if (IsBeyond(this->Mesh.Points, this->Mesh.Cells[cell], k, place))
+    if (IsBeyond(mesh.Points, mesh.Cells[cell], k, place))
     {
       return false;
     }
@@ -53,7 +52,7 @@ bool CellLocator::Holds(Id cell, const Point& place) const
 }
 
 /** @return false if the walk met the boundary; the cell is then the last one */
-bool CellLocator::Walk(const Point& place, Id& cell) const
+bool Walk(const TetrahedralMesh& mesh, const Point& place, Id& cell)
 {
   for (int step = 0; step < MostSteps; ++step)
   {
@@ -61,13 +60,13 @@ bool CellLocator::Walk(const Point& place, Id& cell) const
     for (int i = 0; i < 4 && across < 0; ++i)
     {
       const int k = (i + step) % 4;
-      across = IsBeyond(this->Mesh.Points, this->Mesh.Cells[cell], k, place) ? k : -1;
+      across = IsBeyond(mesh.Points, mesh.Cells[cell], k, place) ? k : -1;
     }
     if (across < 0)
     {
       return true;
     }
-    const Id next = this->Mesh.Neighbors[cell][across];
+    const Id next = mesh.Neighbors[cell][across];
     if (next == None)
     {
       return false;
@@ -76,24 +75,25 @@ bool CellLocator::Walk(const Point& place, Id& cell) const
   }
   return false;
 }
+} // namespace
 
-void CellLocator::Locate(const std::vector<Point>& places, std::vector<Id>& cells, Monitor& monitor,
-  const ProgressRange& progress) const
+void LocateCells(const TetrahedralMesh& mesh, const std::vector<Point>& places,
+  std::vector<Id>& cells, Monitor& monitor, const ProgressRange& progress)
 {
   std::vector<char> isFound(places.size(), 0);
   ParallelLoop(places.size(), CostOfWalk, monitor,
     { progress.Stage, progress.At(0), progress.At(0.5) },
-    [&](std::size_t i) { isFound[i] = this->Walk(places[i], cells[i]) ? 1 : 0; });
+    [&](std::size_t i) { isFound[i] = Walk(mesh, places[i], cells[i]) ? 1 : 0; });
   if (std::all_of(isFound.begin(), isFound.end(), [](char found) { return found != 0; }))
   {
     return;
   }
   // The solid is not convex: the straight way to the place may leave it.
   std::vector<Box> boxes;
-  boxes.reserve(this->Mesh.Cells.size());
-  for (const Tetrahedron& cell : this->Mesh.Cells)
+  boxes.reserve(mesh.Cells.size());
+  for (const Tetrahedron& cell : mesh.Cells)
   {
-    boxes.push_back(BoxOf(this->Mesh.Points, cell));
+    boxes.push_back(BoxOf(mesh.Points, cell));
   }
   const BoxTree tree(std::move(boxes));
   ParallelLoop(places.size(), CostOfWalk, monitor,
@@ -106,7 +106,7 @@ void CellLocator::Locate(const std::vector<Point>& places, std::vector<Id>& cell
         tree.Visit({ places[i], places[i] },
           [&](Id cell)
           {
-            if ((lowest == None || cell < lowest) && this->Holds(cell, places[i]))
+            if ((lowest == None || cell < lowest) && Holds(mesh, cell, places[i]))
             {
               lowest = cell;
             }

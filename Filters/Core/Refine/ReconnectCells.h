@@ -16,15 +16,10 @@ namespace insideout
  * it. Each changes the mesh only if the worst shape (ShapeOf) improves. An edge of the boundary
  * between two pieces is flipped to the other diagonal, if the surface allows it.
  */
-class Reconnection
+class Reconnection : public SurfaceOperator
 {
 public:
-  Reconnection(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
-    : Mesh(mesh)
-    , Surface(surface)
-    , Bound(bound)
-  {
-  }
+  using SurfaceOperator::SurfaceOperator;
 
   bool RemoveEdge(Id u, Id v, Id cell);
 
@@ -43,9 +38,6 @@ private:
   bool TurnDiagonal();
   bool ArePositive() const;
 
-  RefinableMesh& Mesh;
-  RefinableSurface& Surface;
-  SurfaceBound& Bound;
   EdgeRing Around;
   RingTriangulation<double> Triangulation;
   std::vector<Tetrahedron> FreshCells;

@@ -84,11 +84,10 @@ bool RefinableSurface::MustBeRidge(const EdgeUse* first, const EdgeUse* last, do
 void RefinableSurface::FindRidges(double featureAngle)
 {
   std::vector<EdgeUse> uses;
-  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
-  {
-    const RefinableCell& cell = this->Mesh.Cell(c);
-    for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
+  this->Mesh.VisitFacets(
+    [&](Id c, int k)
     {
+      const RefinableCell& cell = this->Mesh.Cell(c);
       const Id neighbor = cell.Neighbors[k];
       const Id beyond = neighbor == None ? None : this->Mesh.Cell(neighbor).Region;
       if (this->Mesh.HasPiece(c, k))
@@ -101,8 +100,7 @@ void RefinableSurface::FindRidges(double featureAngle)
             { { cell.Region, beyond } }, NormalOf(a, b, d) });
         }
       }
-    }
-  }
+    });
   std::sort(uses.begin(), uses.end());
   const double cosine = CosineOf(featureAngle);
   for (auto first = uses.begin(); first != uses.end();)
@@ -125,25 +123,20 @@ void RefinableSurface::FindRidges(double featureAngle)
 void RefinableSurface::SetKinds(double featureAngle)
 {
   this->Mesh.Kinds.assign(this->Mesh.Points.size(), PointKind::Free);
-  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
-  {
-    const RefinableCell& cell = this->Mesh.Cell(c);
-    for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
+  this->Mesh.VisitFacets(
+    [&](Id c, int k)
     {
-      if (cell.Facets[k] != None)
+      const RefinableCell& cell = this->Mesh.Cell(c);
+      const bool isFixed =
+        this->How != SurfaceTreatment::Remeshed || this->IsLocked(cell.Facets[k]);
+      for (const Id corner : FaceAcross(cell.Corners, k))
       {
-        const bool isFixed =
-          this->How != SurfaceTreatment::Remeshed || this->IsLocked(cell.Facets[k]);
-        for (const Id corner : FaceAcross(cell.Corners, k))
-        {
-          PointKind& kind = this->Mesh.Kinds[corner];
-          kind = isFixed || this->IsPinched(corner) ? PointKind::Fixed
-            : kind == PointKind::Free               ? PointKind::InFacet
-                                                    : kind;
-        }
+        PointKind& kind = this->Mesh.Kinds[corner];
+        kind = isFixed || this->IsPinched(corner) ? PointKind::Fixed
+          : kind == PointKind::Free               ? PointKind::InFacet
+                                                  : kind;
       }
-    }
-  }
+    });
   // A ridge continues where two of its edges meet at a blunt angle.
   std::vector<std::array<Id, 2>> ends(this->Mesh.Points.size(), { { None, None } });
   for (const auto& [edge, isKept] : this->Ridges)

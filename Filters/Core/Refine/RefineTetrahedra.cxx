@@ -189,8 +189,7 @@ void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementPara
   monitor.Check(Stages::Refining, 0.05);
   if (parameters.Surface != SurfaceTreatment::Kept)
   {
-    parameters.Surface == SurfaceTreatment::Split ? sizes.FollowThinTriangles()
-                                                  : sizes.FollowWishes();
+    parameters.Surface == SurfaceTreatment::Split ? sizes.FollowSurface(1) : sizes.FollowWishes();
     CheckEstimate(sizes, parameters.MaximumCells);
     RemeshSurface(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.2 });
     sizes.FollowSurface();
@@ -223,11 +222,7 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
 void CompareSurfaces(
   const RefinableMesh& mesh, const SurfaceOfRun& run, Statistics& statistics, Monitor& monitor)
 {
-  std::vector<LabelledTriangle> before;
-  for (const FacetOfInput& facet : run.Facets)
-  {
-    before.push_back({ facet.Corners, facet.Label });
-  }
+  const std::vector<LabelledTriangle> before = TrianglesOf(run.Facets);
   std::vector<LabelledTriangle> after;
   for (const SurfacePiece& piece : PiecesOf(mesh))
   {
@@ -302,16 +297,15 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   {
     barycentres[c] = Barycentre(result.Points, result.Cells[c]);
   }
-  const CellLocator locator(mesh);
   const std::vector<Id> near = result.OriginalCells;
-  locator.Locate(barycentres, result.OriginalCells, monitor, { Stages::Refining, 0.9, 0.97 });
+  LocateCells(mesh, barycentres, result.OriginalCells, monitor, { Stages::Refining, 0.9, 0.97 });
   for (std::size_t c = 0; c < near.size() && !regions.empty(); ++c)
   {
     // The rounded barycenter of a sliver may be beyond a face between regions.
     Id& found = result.OriginalCells[c];
     found = regions[found] == regions[near[c]] ? found : near[c];
   }
-  locator.Locate(result.Points, result.CellsOfPoints, monitor, { Stages::Refining, 0.97, 1 });
+  LocateCells(mesh, result.Points, result.CellsOfPoints, monitor, { Stages::Refining, 0.97, 1 });
 
   result.LengthsByRules = LengthsByRules(result, regions, parameters.Sizes);
 

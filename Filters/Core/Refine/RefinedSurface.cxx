@@ -2,9 +2,11 @@
 #include "Refine/RefinedSurface.h"
 
 #include "Common/ParallelLoop.h"
+#include "Common/PartMonitor.h"
 #include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Vectors.h"
+#include "Refine/SurfaceBound.h"
 #include "Resolve/FindIntersections.h"
 
 #include <algorithm>
@@ -16,26 +18,6 @@ namespace
 {
 /** In nanoseconds. */
 constexpr double CostOfDistance = 5000;
-
-/** Reports only that a search is running. */
-class QuietMonitor : public Monitor
-{
-public:
-  QuietMonitor(Monitor& caller, const ProgressRange& progress)
-    : Caller(caller)
-    , Progress(progress)
-  {
-  }
-
-  bool Continue(const char* /*stage*/, double /*fraction*/) override
-  {
-    return this->Caller.Continue(this->Progress.Stage, this->Progress.Begin);
-  }
-
-private:
-  Monitor& Caller;
-  const ProgressRange& Progress;
-};
 } // namespace
 
 std::vector<Id> CrossingFacets(
@@ -43,17 +25,15 @@ std::vector<Id> CrossingFacets(
 {
   std::vector<Triangle> triangles;
   std::vector<Id> facets;
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    for (int k = 0; k < 4 && !mesh.IsDead(c); ++k)
+  mesh.VisitFacets(
+    [&](Id c, int k)
     {
       if (mesh.Cell(c).Neighbors[k] == None)
       {
         triangles.push_back(FaceAcross(mesh.Cell(c).Corners, k));
         facets.push_back(mesh.Cell(c).Facets[k]);
       }
-    }
-  }
+    });
   QuietMonitor quiet(monitor, progress);
   std::vector<Id> crossing;
   for (const auto& [i, j] : FindIntersections(mesh.Points, triangles, quiet))
@@ -67,12 +47,7 @@ std::vector<Id> CrossingFacets(
 void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& mesh,
   Monitor& monitor, const ProgressRange& progress)
 {
-  std::vector<LabelledTriangle> triangles;
-  for (const FacetOfInput& facet : facets)
-  {
-    triangles.push_back({ facet.Corners, facet.Label });
-  }
-  const TriangleTree tree(std::move(triangles));
+  const TriangleTree tree(TrianglesOf(facets));
   ParallelLoop(mesh.NumberOfCells(), CostOfDistance, monitor, progress,
     [&](Id c)
     {
@@ -83,9 +58,7 @@ void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& m
         {
           // The center is the same from both sides, and so is the nearest facet.
           const Triangle sorted = SortedTriangle(FaceAcross(cell.Corners, k)).Points;
-          const auto [p, q, r] = CornersOf(mesh.Points, sorted);
-          const Point centre = { { p[0] / 3 + q[0] / 3 + r[0] / 3, p[1] / 3 + q[1] / 3 + r[1] / 3,
-            p[2] / 3 + q[2] / 3 + r[2] / 3 } };
+          const Point centre = CentreOf(CornersOf(mesh.Points, sorted));
           const Id facet = cell.Facets[k];
           mesh.SetFacet(c, k, tree.NearestTo(centre, facets[facet].Label, facet).Triangle);
         }

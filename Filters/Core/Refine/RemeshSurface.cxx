@@ -83,20 +83,13 @@ ProgressRange AtEndOf(const ProgressRange& progress)
   return { progress.Stage, progress.End, progress.End };
 }
 
-class SurfaceRemeshing
+class SurfaceRemeshing : public SurfaceOperator
 {
 public:
   SurfaceRemeshing(
     RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound, SizingField& sizes)
-    : Mesh(mesh)
-    , Surface(surface)
+    : SurfaceOperator(mesh, surface, bound)
     , Sizes(sizes)
-    , Splitting(mesh, surface, bound)
-    , Insertion(mesh, surface, bound)
-    , Contract(mesh, surface, bound)
-    , InSolid(mesh)
-    , Reconnect(mesh, surface, bound)
-    , Smooth(mesh, surface, bound)
   {
   }
 
@@ -303,7 +296,7 @@ private:
     const Id cell = candidate.Piece.Cell;
     const std::array<Point, 3> t =
       CornersOf(this->Mesh.Points, FaceAcross(this->Mesh.Cell(cell).Corners, candidate.Piece.Face));
-    const CircleOfTriangle circle = CircumcircleOf(t);
+    const Circumsphere circle = CircumcircleOf(t);
     const double size = this->SizeIn(candidate.Piece);
     if (!(circle.SquaredRadius > LargestRadius * LargestRadius * size * size))
     {
@@ -360,14 +353,9 @@ private:
   std::vector<SurfaceEdge> EdgesWithin(double least, double most) const
   {
     std::vector<SurfaceEdge> edges;
-    for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
-    {
-      for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
+    this->Mesh.VisitFacets(
+      [&](Id c, int k)
       {
-        if (this->Mesh.Cell(c).Facets[k] == None)
-        {
-          continue;
-        }
         const Triangle f = FaceAcross(this->Mesh.Cell(c).Corners, k);
         for (int i = 0; i < 3; ++i)
         {
@@ -378,8 +366,7 @@ private:
             edges.push_back({ ratio, ends, c, this->Mesh.Cell(c).Version });
           }
         }
-      }
-    }
+      });
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end(),
                   [](const SurfaceEdge& a, const SurfaceEdge& b) { return a.Ends == b.Ends; }),
@@ -408,15 +395,13 @@ private:
 
   const double Acceptable = ShapeOfAngle(AcceptableAngle);
   const double AcceptableForLength = ShapeOfAngle(AcceptableAngleForLength);
-  RefinableMesh& Mesh;
-  RefinableSurface& Surface;
   SizingField& Sizes;
-  EdgeSplitting Splitting;
-  SurfaceInsertion Insertion;
-  SurfaceContraction Contract;
-  Contraction InSolid;
-  Reconnection Reconnect;
-  PointSmoothing Smooth;
+  EdgeSplitting Splitting{ this->Mesh, this->Surface, this->Bound };
+  SurfaceInsertion Insertion{ this->Mesh, this->Surface, this->Bound };
+  SurfaceContraction Contract{ this->Mesh, this->Surface, this->Bound };
+  Contraction InSolid{ this->Mesh };
+  Reconnection Reconnect{ this->Mesh, this->Surface, this->Bound };
+  PointSmoothing Smooth{ this->Mesh, this->Surface, this->Bound };
   EdgeRing Ring;
   std::unordered_map<Edge, std::int64_t, HashOfEdge>
     SplitTriedAt; ///< counted in changes of the mesh

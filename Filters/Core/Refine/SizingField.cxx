@@ -93,16 +93,9 @@ void SizingField::SetSizes()
   }
 }
 
-void SizingField::FollowSurface()
+void SizingField::FollowSurface(double heights)
 {
-  this->SetLengthsOfSurface(0);
-  this->Grow();
-  this->SetSizes();
-}
-
-void SizingField::FollowThinTriangles()
-{
-  this->SetLengthsOfSurface(1);
+  this->SetLengthsOfSurface(heights);
   this->Grow();
   this->SetSizes();
 }
@@ -153,14 +146,9 @@ void SizingField::SetLengthsOfSurface(double heights)
   std::vector<int> counts(this->AtPoints.size(), 0);
   std::vector<double> sums(this->AtPoints.size(), 0);
   std::vector<double> shortest(this->AtPoints.size(), Infinite);
-  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
-  {
-    for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
+  this->Mesh.VisitFacets(
+    [&](Id c, int k)
     {
-      if (this->Mesh.Cell(c).Facets[k] == None)
-      {
-        continue;
-      }
       const Triangle f = FaceAcross(this->Mesh.Cell(c).Corners, k);
       const std::array<Point, 3> t = CornersOf(this->Mesh.Points, f);
       for (int i = 0; i < 3; ++i)
@@ -175,8 +163,7 @@ void SizingField::SetLengthsOfSurface(double heights)
         const Point across = NearestPointOf({ { t[i], t[(i + 1) % 3], t[i] } }, apex);
         shortest[f[(i + 2) % 3]] = std::min(shortest[f[(i + 2) % 3]], Distance(apex, across));
       }
-    }
-  }
+    });
   for (std::size_t p = 0; p < sums.size(); ++p)
   {
     const double mean = counts[p] > 0 ? sums[p] / counts[p] : Infinite;

@@ -50,11 +50,10 @@ public:
   /** Whether a length is wanted anywhere. */
   bool IsAskedFor() const;
 
-  /** Recompute the mesh's Sizes for a changed surface: the length of its edges. */
-  void FollowSurface();
-
-  /** Set them for a surface to be split: short at short edges and thin triangles. */
-  void FollowThinTriangles();
+  /** Recompute the mesh's Sizes for a changed surface: the length of its edges.
+   * @param[in] heights where above 0, lengths are at most this many heights of the triangles: 1 for
+   * a surface to be split */
+  void FollowSurface(double heights = 0);
 
   /** Reduce them at thin triangles of the surface, which adjoin short edges that must stay to keep
    * the surface near the input's. */

@@ -12,15 +12,10 @@ namespace insideout
  * Moves points to improve the worst shape of the cells around them: points on no facet anywhere,
  * points within facets along the surface.
  */
-class PointSmoothing
+class PointSmoothing : public SurfaceOperator
 {
 public:
-  PointSmoothing(RefinableMesh& mesh, const RefinableSurface& surface, SurfaceBound& bound)
-    : Mesh(mesh)
-    , Surface(surface)
-    , Bound(bound)
-  {
-  }
+  using SurfaceOperator::SurfaceOperator;
 
   /** @return whether the point moved: only if the worst shape (ShapeOf) around it improves */
   bool Smooth(Id point);
@@ -39,9 +34,6 @@ private:
   bool MoveInFacet(Id point, const Point& place);
   bool MoveTo(Id point, const Point& place);
 
-  RefinableMesh& Mesh;
-  const RefinableSurface& Surface;
-  SurfaceBound& Bound;
   std::vector<Id> Cells;
   std::vector<Triangle> Walls;      ///< walls of the star, counter-clockwise seen from the point
   std::vector<SurfacePiece> Pieces; ///< at a point within facets

@@ -10,15 +10,10 @@
 namespace insideout
 {
 /** Inserts a point in an edge, splitting all cells and pieces of facets around it. */
-class EdgeSplitting
+class EdgeSplitting : public SurfaceOperator
 {
 public:
-  EdgeSplitting(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
-    : Mesh(mesh)
-    , Surface(surface)
-    , Bound(bound)
-  {
-  }
+  using SurfaceOperator::SurfaceOperator;
 
   /**
    * Find the cells around an edge of `cell`.
@@ -34,9 +29,6 @@ private:
   bool IsBesideLonger() const;
   bool StaysApart();
 
-  RefinableMesh& Mesh;
-  RefinableSurface& Surface;
-  SurfaceBound& Bound;
   EdgeRing Ring;
   Point Middle;
   std::vector<SurfacePiece> Gone;

@@ -19,6 +19,7 @@ Triangle KeyOf(const Triangle& corners)
 {
   return SortedTriangle(corners).Points;
 }
+} // namespace
 
 std::vector<LabelledTriangle> TrianglesOf(const std::vector<FacetOfInput>& facets)
 {
@@ -30,17 +31,6 @@ std::vector<LabelledTriangle> TrianglesOf(const std::vector<FacetOfInput>& facet
   }
   return triangles;
 }
-
-Point CentreOf(const std::array<Point, 3>& t)
-{
-  Point centre;
-  for (int k = 0; k < 3; ++k)
-  {
-    centre[k] = t[0][k] / 3 + t[1][k] / 3 + t[2][k] / 3;
-  }
-  return centre;
-}
-} // namespace
 
 SurfaceBound::SurfaceBound(const RefinableMesh& mesh, const std::vector<FacetOfInput>& facets,
   SurfaceTreatment treatment, double tolerance)

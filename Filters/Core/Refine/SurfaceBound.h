@@ -12,6 +12,28 @@
 
 namespace insideout
 {
+class SurfaceBound;
+
+/** Base of the operators that change a mesh with its surface. */
+class SurfaceOperator
+{
+public:
+  SurfaceOperator(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
+    : Mesh(mesh)
+    , Surface(surface)
+    , Bound(bound)
+  {
+  }
+
+protected:
+  RefinableMesh& Mesh;
+  RefinableSurface& Surface;
+  SurfaceBound& Bound;
+};
+
+/** The facets for a TriangleTree. */
+std::vector<LabelledTriangle> TrianglesOf(const std::vector<FacetOfInput>& facets);
+
 /**
  * Decides which pieces of a surface may replace others: on the boundary, pieces that cross no
  * other. A remeshed surface also stays near the input's, both ways: no point of it is farther from

@@ -30,6 +30,16 @@ Point NormalOf(const SurfacePiece& piece)
   return insideout::NormalOf(piece.Places[0], piece.Places[1], piece.Places[2]);
 }
 
+Point CentreOf(const std::array<Point, 3>& t)
+{
+  Point centre;
+  for (int k = 0; k < 3; ++k)
+  {
+    centre[k] = t[0][k] / 3 + t[1][k] / 3 + t[2][k] / 3;
+  }
+  return centre;
+}
+
 bool IsThin(const std::array<Point, 3>& t)
 {
   const double longest =
@@ -85,17 +95,14 @@ void ExchangePieces(const std::vector<SurfacePiece>& gone, const std::vector<Sur
 std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh)
 {
   std::vector<SurfacePiece> pieces;
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    for (int k = 0; k < 4 && !mesh.IsDead(c); ++k)
+  mesh.VisitFacets(
+    [&](Id c, int k)
     {
-      const RefinableCell& cell = mesh.Cell(c);
-      if (cell.Facets[k] != None && cell.Neighbors[k] < c)
+      if (mesh.Cell(c).Neighbors[k] < c)
       {
         pieces.push_back(PieceAt(mesh, c, k));
       }
-    }
-  }
+    });
   return pieces;
 }
 } // namespace insideout

@@ -18,6 +18,8 @@ struct SurfacePiece
 /** The normal, with twice the area as length. */
 Point NormalOf(const SurfacePiece& piece);
 
+Point CentreOf(const std::array<Point, 3>& triangle);
+
 /** Whether a triangle is so thin that it may fold over by rounding. */
 bool IsThin(const std::array<Point, 3>& triangle);
 

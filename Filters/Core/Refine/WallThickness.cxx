@@ -4,6 +4,7 @@
 #include "Common/LoopProgress.h"
 #include "Common/Vectors.h"
 #include "Refine/FacetAhead.h"
+#include "Refine/SurfacePiece.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,13 +96,8 @@ private:
   /** The distance from the center of a part to a facet that faces it; else infinite. */
   double ThicknessAt(const std::array<Point, 3>& t) const
   {
-    Point center;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      center[axis] = t[0][axis] / 3 + t[1][axis] / 3 + t[2][axis] / 3;
-    }
-    const FacetAhead ahead =
-      FindFacetAhead(this->Mesh, { center, this->Cell, this->Face, -1 }, this->Inward, Infinite);
+    const FacetAhead ahead = FindFacetAhead(
+      this->Mesh, { CentreOf(t), this->Cell, this->Face, -1 }, this->Inward, Infinite);
     if (ahead.Cell == None || !(ahead.Way > 0))
     {
       return Infinite;
