@@ -115,7 +115,7 @@ Id EdgeSearch::Find(const Mesh<Policy>& mesh, Id u, Id v)
       for (int k = 0; k < 4; ++k)
       {
         const Id neighbor = cell.Neighbors[k];
-        if (cell.Corners[k] == ends[side] || this->Has(neighbor))
+        if (cell.Corners[k] == ends[side] || neighbor == None || this->Has(neighbor))
         {
           continue;
         }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/Mesh.h"
+
+#include "Exact/EdgeSearch.h"
 #include "Mesh/RingTriangulation.h"
 
 #include <gtest/gtest.h>
@@ -517,5 +519,54 @@ TEST(RingTriangulation, IsTheBestOfAllAndOneAnEdgeLess)
     EXPECT_EQ(cost, measure.Most);
     --measure.Most;
     EXPECT_FALSE(triangulation.Find(measure, 0, 6));
+  }
+}
+
+TYPED_TEST(MeshLaws, HoldAfterAnEdgeGoesForTheTriangulationOfItsRing)
+{
+  for (Id end = 1; end <= 6; ++end)
+  {
+    SomeMesh<TypeParam> mesh;
+    EdgeRing ring;
+    mesh.Ring(0, end, CellsWith(mesh, 0, end).front(), ring);
+    ASSERT_EQ(ring.Points.size(), 4u);
+    RingTriangulation<int> triangulation;
+    ASSERT_TRUE(triangulation.Find(CountOfTriangles{ {}, 0 }, 0, 4));
+    std::vector<Tetrahedron> fresh;
+    triangulation.AppendCells(ring, 0, 3, fresh);
+    mesh.Change(ring.Cells, fresh);
+    ExpectLaws(mesh);
+    EXPECT_TRUE(CellsWith(mesh, 0, end).empty());
+  }
+}
+
+TYPED_TEST(MeshLaws, AnEdgeIsFoundWhereAndOnlyWhereACellHasBothEnds)
+{
+  SomeMesh<TypeParam> mesh;
+  EdgeSearch search;
+  for (Id u = 0; u <= 6; ++u)
+  {
+    for (Id v = 0; v <= 6; ++v)
+    {
+      const Id found = u == v ? None : search.Find(mesh, u, v);
+      ASSERT_EQ(found != None, u != v && !CellsWith(mesh, u, v).empty()) << u << ' ' << v;
+      EXPECT_TRUE(found == None || (mesh.Has(found, u) && mesh.Has(found, v)));
+    }
+  }
+}
+
+TYPED_TEST(MeshLaws, FacetsAreVisitedFromEachCell)
+{
+  SomeMesh<TypeParam> mesh;
+  const Id cell = mesh.StarOf(0)[0];
+  for (int k = 0; k < 4; ++k)
+  {
+    mesh.MarkFacet(cell, k, k);
+  }
+  std::array<int, 4> visits = {};
+  mesh.VisitFacets([&](Id c, int k) { ++visits[mesh.Cell(c).Facets[k]]; });
+  for (int k = 0; k < 4; ++k)
+  {
+    EXPECT_EQ(visits[k], mesh.Cell(cell).Neighbors[k] == None ? 1 : 2);
   }
 }
