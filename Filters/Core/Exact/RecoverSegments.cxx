@@ -160,13 +160,7 @@ std::vector<Id> RecoverSegmentsByFlips(ExactState& state, const std::vector<Id>&
 
 namespace
 {
-/**
- * Limit of points on one segment and beside it: a segment that takes more passes through a
- * constraint.
- */
-constexpr int SplitsPerSegment = 1000;
-
-/** Binary digits of a position on a segment: cells are not thinner, because doubles have 1074. */
+/** Binary digits of a place on a segment: cells are not thinner, for doubles have 1074. */
 constexpr int DigitsOnSegment = 500;
 
 /**
@@ -231,9 +225,9 @@ bool SplitAndRecover(ExactState& state, Id segment, Id start, Id end)
   FlippableMesh& mesh = state.Mesh;
   const FlipTarget nothing(mesh);
   Id a = start;
-  for (int splits = 0; !Recover(state, a, end, PlainFlips); ++splits)
+  while (!Recover(state, a, end, PlainFlips))
   {
-    if (splits == SplitsPerSegment || mesh.Work().IsUsedUp())
+    if (mesh.Work().IsUsedUp())
     {
       return false;
     }

@@ -18,7 +18,7 @@ constexpr int PlacesAlong = 16;
 constexpr std::array<double, 3> StepsAside = { { 1, 8, 64 } };
 
 /** Points that are not on the surface may go farther. */
-constexpr std::array<double, 7> StepsInVolume = { { 1, 8, 64, 4096, 1e6, 1e9, 1e12 } };
+constexpr std::array<double, 2> StepsInVolume = { { 1, 1e12 } };
 
 /** Places along the segment, those with the fewest binary digits first. */
 std::vector<Point> PlacesOnSegment(

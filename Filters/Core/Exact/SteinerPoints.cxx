@@ -59,12 +59,8 @@ bool RemovePoint(ExactState& state, Id point)
 
 namespace
 {
-/**
- * Stop removing points one by one when fewer than one in this many is removed, or after this number
- * of passes, which no surface has reached.
- */
+/** Stop removing points one by one when fewer than one in this many goes. */
 constexpr std::size_t LeastYield = 50;
-constexpr int RemovingPasses = 1000;
 
 void MoveIntoVolume(ExactState& state, Id first, std::int64_t since)
 {
@@ -87,7 +83,7 @@ void RemovePoints(ExactState& state, Id first, std::int64_t since)
     static_cast<std::size_t>(mesh.Vertices().Size() - first), since);
   std::size_t tried = 0;
   std::size_t removed = 1;
-  for (int pass = 0; pass < RemovingPasses && removed > tried / LeastYield; ++pass)
+  while (removed > tried / LeastYield)
   {
     tried = 0;
     removed = 0;
