@@ -272,6 +272,22 @@ class Unfit(CommandLine):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotIn("a solver", done.stdout)
 
+    def test_no_cell_is_flat_below_facets_in_one_plane_but_for_their_rounding(self):
+        for sides in (6, 8, 12):
+            angles = 2 * np.pi * np.arange(sides) / sides
+            rims = [np.column_stack([np.cos(angles), np.sin(angles), np.full(sides, z)]) for z in (0, 1)]
+            c, s = np.cos(0.3), np.sin(0.3)
+            turn = np.array([[1, 0, 0], [0, c, -s], [0, s, c]]) @ np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+            points = np.vstack([*rims, [[0, 0, 0], [0, 0, 1]]]) @ turn.T
+            triangles = []
+            for i in range(sides):
+                j = (i + 1) % sides
+                a, b, c, d = i, j, sides + i, sides + j
+                triangles += [(a, b, d), (a, d, c)] if i % 2 else [(a, b, c), (b, d, c)]
+                triangles += [(2 * sides, b, a), (2 * sides + 1, c, d)]
+            solid = insideout.tetrahedralize((points, triangles), refine=True, surface_treatment="kept").solid
+            self.assertGreater(insideout.check_solid(solid).statistics["MinDihedralAngle"], 5, sides)
+
     def test_files_for_no_solver_have_no_word_of_it(self):
         done = run_here("mesh", self.file("plate.ply", slanting_plate()), self.output)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -32,6 +32,9 @@ constexpr double AngleForPoint = 20;
 /** From this pass on, long edges of flat cells are split; the passes before have removed most. */
 constexpr int FirstPassOfLongEdges = 2;
 
+/** Cells with an angle below this, in degrees, get a point beside them where none fits in them. */
+constexpr double FlatAngle = 1;
+
 /** Least relative gains, so that improvement terminates; an additional point costs cells. */
 constexpr double LeastGain = 1.0001;
 constexpr double LeastGainByPoint = 1.2;
@@ -91,8 +94,14 @@ public:
   /** @param[in] mayAdd whether points may be added */
   void Improve(Id cell, bool mayAdd)
   {
-    if (this->Mesh.IsDead(cell) || this->ShapeOfCell(cell) >= this->Good ||
-      !this->IsNew(cell, this->LastChangeAt(cell), this->TriedAt) ||
+    if (this->Mesh.IsDead(cell))
+    {
+      return;
+    }
+    const double shape = this->ShapeOfCell(cell);
+    const bool getsPoint = mayAdd && shape < this->Flat; // passes before have added none
+    if (shape >= this->Good ||
+      !(this->IsNew(cell, this->LastChangeAt(cell), this->TriedAt) || getsPoint) ||
       this->Reconnect.ImproveCell(cell))
     {
       return;
@@ -213,25 +222,37 @@ private:
 
   void AddPoint(Id cell)
   {
-    const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
-    if (ShapeOf(this->Mesh.Points, corners) >= this->BadForPoint)
+    const double shape = this->ShapeOfCell(cell);
+    if (shape >= this->BadForPoint)
     {
       return;
     }
-    const Point middle = Barycentre(this->Mesh.Points, corners);
-    if (this->Insert.Find(cell, middle, LargestCavity))
+    const Point middle = Barycentre(this->Mesh.Points, this->Mesh.Cell(cell).Corners);
+    bool isAdded = this->Insert.Find(cell, middle, LargestCavity) && this->AddFoundPoint(middle, 0);
+    for (int k = 0; k < 4 && !isAdded && shape < this->Flat; ++k)
     {
-      const double before = std::max(0.0, this->Insert.WorstShapeBefore());
-      if (this->Insert.OptimizePlace() > before * LeastGainByPoint)
-      {
-        const double size = this->Sizes.At(cell, middle);
-        this->Sizes.Append(cell, middle);
-        this->Insert.Insert(size);
-      }
+      isAdded =
+        this->Insert.FindBeside(cell, k, LargestCavity) && this->AddFoundPoint(middle, this->Flat);
     }
   }
 
+  /** Insert the place that was found, if the new cells' shapes are above those before and `least`.
+   * @param[in] near where the size is taken */
+  bool AddFoundPoint(const Point& near, double least)
+  {
+    const double before = std::max(0.0, this->Insert.WorstShapeBefore());
+    if (!(this->Insert.OptimizePlace() > std::max(before * LeastGainByPoint, least)))
+    {
+      return false;
+    }
+    const double size = this->Sizes.At(this->Insert.Holder(), near);
+    this->Sizes.Append(this->Insert.Holder(), near);
+    this->Insert.Insert(size);
+    return true;
+  }
+
   const double BadForPoint = ShapeOfAngle(AngleForPoint);
+  const double Flat = ShapeOfAngle(FlatAngle);
   const double GoodAmidLongEdge = ShapeOfAngle(AngleAmidLongEdge);
   RefinableMesh& Mesh;
   SizingField& Sizes;

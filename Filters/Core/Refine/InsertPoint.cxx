@@ -72,12 +72,17 @@ double PointInsertion::SquaredDistanceToHolder() const
   return least;
 }
 
-bool PointInsertion::FindCavity(std::size_t most)
+/** @param[in] other a cell that has to be replaced, too; or None */
+bool PointInsertion::FindCavity(Id other, std::size_t most)
 {
   const auto isOpen = [](Id /*cell*/, int /*k*/) { return false; };
   const auto isSeen = [&](const Triangle& wall) { return this->IsSeen(wall, this->Hole.Place); };
   this->Hole.Start(this->Hole.Place);
   this->Hole.Add(this->Holding);
+  if (other != None)
+  {
+    this->Hole.Add(other);
+  }
   this->Hole.Grow(most);
   while (this->Hole.CollectWalls(isOpen, isSeen))
   {
@@ -87,7 +92,19 @@ bool PointInsertion::FindCavity(std::size_t most)
     }
     this->Hole.KeepConnected({ this->Holding }, isOpen);
   }
-  return this->Hole.KeepsItsPoints();
+  return (other == None || this->Hole.Has(other)) && this->Hole.KeepsItsPoints();
+}
+
+bool PointInsertion::FindBeside(Id cell, int k, std::size_t most)
+{
+  const RefinableCell& here = this->Mesh.Cell(cell);
+  if (here.Facets[k] != None)
+  {
+    return false;
+  }
+  this->Holding = here.Neighbors[k];
+  this->Hole.Place = Barycentre(this->Mesh.Points, this->Mesh.Cell(this->Holding).Corners);
+  return this->FindCavity(cell, most);
 }
 
 double PointInsertion::OptimizePlace()

@@ -32,13 +32,17 @@ public:
    * hundreds of points
    * @return false if it cannot be inserted
    */
-  bool FindCavity(std::size_t most);
+  bool FindCavity(std::size_t most) { return this->FindCavity(None, most); }
 
   /** Locate and find cells. */
   bool Find(Id cell, const Point& place, std::size_t most)
   {
     return this->Locate(cell, place) && this->FindCavity(most);
   }
+
+  /** Find the cells that the center of a cell's neighbor across face k would replace; the cell has
+   * to be among them. A cell that is flat in doubles may not contain its own rounded center. */
+  bool FindBeside(Id cell, int k, std::size_t most);
 
   /** The cell that contains the located place. */
   Id Holder() const { return this->Holding; }
@@ -57,6 +61,7 @@ public:
 
 private:
   bool IsSeen(const Triangle& wall, const Point& place) const;
+  bool FindCavity(Id other, std::size_t most);
 
   RefinableMesh& Mesh;
   Id Holding = None;

@@ -3,6 +3,7 @@
 
 #include "Common/PointPredicates.h"
 #include "Common/Vectors.h"
+#include "GraphCut/ConnectCells.h"
 #include "Refine/CellShape.h"
 #include "Refine/MakeRefinable.h"
 #include "Support/TestTetrahedra.h"
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace insideout;
 using testtetrahedra::EvenGrid;
@@ -64,4 +66,30 @@ TEST(PointInsertion, TakesTheNearestCellsWhereSpheresHoldMany)
     EXPECT_NEAR(VolumeOf(mesh), volume, 1e-9 * volume);
     EXPECT_TRUE(most != 1000 || gone > 5) << gone;
   }
+}
+
+TEST(PointInsertion, ReplacesACellThatDoesNotContainItsRoundedCenter)
+{
+  const double below = std::nextafter(1.0, 0.0);
+  const std::vector<Point> points = { { { 0, 0, 1 } }, { { 1, 0, below } }, { { 1, 1, 1 } },
+    { { 0, 1, below } }, { { 0.5, 0.5, 0 } } };
+  const TetrahedralMesh solid =
+    ConnectCells(points, { { { 0, 1, 3, 2 } }, { { 0, 3, 1, 4 } }, { { 1, 3, 2, 4 } } });
+  const std::vector<FacetOfInput> facets = FacetsOf(solid, {}, {});
+  RefinableMesh mesh = MakeRefinable(solid, {}, facets);
+  const double volume = VolumeOf(mesh);
+  PointInsertion insertion(mesh);
+  EXPECT_FALSE(insertion.Find(0, Barycentre(mesh.Points, mesh.Cell(0).Corners), 9));
+  int inner = 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    const bool isInner = mesh.Cell(0).Facets[k] == None;
+    EXPECT_EQ(insertion.FindBeside(0, k, 9), isInner);
+    inner = isInner ? k : inner;
+  }
+  ASSERT_TRUE(insertion.FindBeside(0, inner, 9));
+  EXPECT_GT(insertion.OptimizePlace(), ShapeOfAngle(20));
+  insertion.Insert(1);
+  EXPECT_EQ(mesh.Fresh().size(), 6); // one at each facet
+  EXPECT_NEAR(VolumeOf(mesh), volume, 1e-9 * volume);
 }
