@@ -2,17 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Judges with CalculiX whether solids are fit for a solver, and whether InsideOut says so.
 
-    judge-fit.py SURFACE_OR_FOLDER... [--diagonal D] [--no-refine] [--quadratic-cells] [--surface-treatment T] [--most-bytes N]
-                 [--analyses N]
+    judge-fit.py SURFACE_OR_FOLDER... [--diagonal D] [--no-refine] [--quadratic-cells] [--surface-treatment T]
+                 [--most-bytes N] [--analyses N] [--share K/N]
 
-Makes an .inp file of each surface, and of those in each folder, in millimeters, as which they are taken or with --diagonal made so
-large, and in meters: times 0.001. CalculiX gets
-it with all nodes fixed, so that it makes the matrix of each element and has nothing to solve: it names those whose Jacobian
-determinant is not positive. Prints each file with such elements, or with another number of them than `insideout check` counts;
-those that were skipped, which have no inside or cannot be read; and the sums. Gmsh gets each as a .msh file: it is to find
-nothing wrong with it, and positive Jacobian determinants. The first N solids of --analyses that have less than 50,000 cells
-stand on their lowest fifth as steel: CalculiX is to end *STATIC under their weight, which the supports bear to 1e-3, and
-*FREQUENCY with positive frequencies. Exit status 0 if no element is refused, all counts agree and nothing else is wrong; with
+Makes an .inp file of each surface, and of those in each folder, in millimeters, as which they are taken or with
+--diagonal made so large, and in meters: times 0.001. CalculiX gets it with all nodes fixed, so that it makes the matrix
+of each element and has nothing to solve: it names those whose Jacobian determinant is not positive. Prints the number
+of cells of each file, with the elements that are refused, and their number by `insideout check` if that is another;
+those that were skipped, which have no inside or cannot be read; and the sums. The option --share 2/5 judges every fifth
+surface, from the second on: five runs judge all. Gmsh gets each as a .msh file: it is to find nothing wrong with it,
+and positive Jacobian determinants. The first N solids of --analyses that have 12 to 50,000 cells stand on their lowest
+fifth as steel: CalculiX is to end *STATIC under their weight, which the supports bear to 1e-3, and *FREQUENCY with
+positive frequencies. Exit status 0 if no element is refused, all counts agree and nothing else is wrong; with
 --no-refine, if all counts agree.
 """
 
@@ -25,6 +26,7 @@ import subprocess
 import sys
 import warnings
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Iterator
@@ -76,7 +78,7 @@ RF
 3
 *END STEP
 """
-MOST_CELLS = 50_000  # of a solid that is analysed
+FEWEST_CELLS, MOST_CELLS = 12, 50_000  # of a solid that is analysed: fewer have too few degrees of freedom for ARPACK
 
 
 @dataclass
@@ -111,7 +113,8 @@ def wrong_by_gmsh(msh: Path) -> list[str]:
     """What gmsh says of a mesh, its warnings too."""
     done = subprocess.run(["gmsh", str(msh), "-check"], capture_output=True, text=True, check=False)
     lines = (done.stdout + done.stderr).splitlines()
-    said = [f"gmsh: {line}" for line in lines if line.startswith(("Warning", "Error"))]
+    found = [line for line in lines if line.startswith(("Warning", "Error"))]
+    said = [f"gmsh: {found[0]} (the first of {len(found)} such lines)"] if found else []
     said += [f"gmsh ends with status {done.returncode}"] if done.returncode else []
     gmsh.initialize()
     try:
@@ -173,6 +176,10 @@ def wrong_in_analyses(folder: Path, solid: insideout.Tetrahedra) -> list[str]:
     return said
 
 
+def may_be_analysed(cells: float) -> bool:
+    return FEWEST_CELLS <= cells < MOST_CELLS
+
+
 def judged(path: Path, unit: str, options: argparse.Namespace, analyse: bool) -> Case | str:
     """A case, or why there is none."""
     with TemporaryDirectory() as folder, warnings.catch_warnings():
@@ -190,7 +197,7 @@ def judged(path: Path, unit: str, options: argparse.Namespace, analyse: bool) ->
         counts = (int(found[name]) for name in ("RefusedCells", "PoorCells", "FlatCells"))
         insideout.write(made, Path(folder, "solid.msh"))
         wrong = wrong_by_gmsh(Path(folder, "solid.msh"))
-        wrong += wrong_in_analyses(Path(folder), made.solid) if analyse and found["Cells"] < MOST_CELLS else []
+        wrong += wrong_in_analyses(Path(folder), made.solid) if analyse and may_be_analysed(found["Cells"]) else []
         return Case(path.name, unit, int(found["Cells"]), refused_by_calculix(Path(folder)), *counts, wrong)
 
 
@@ -200,17 +207,19 @@ def main() -> int:
     parser.add_argument("--diagonal", type=float, help="of each surface, in millimeters")
     parser.add_argument("--no-refine", action="store_true", help="solids as they come")
     parser.add_argument("--quadratic-cells", action="store_true")
-    parser.add_argument("--surface-treatment", default="kept")
+    parser.add_argument("--surface-treatment", default="automatic")
     parser.add_argument("--analyses", type=int, default=0, metavar="N", help="the number of solids to analyse")
+    parser.add_argument("--share", default="1/1", metavar="K/N", help="judge every N-th surface, from the K-th on")
     parser.add_argument("--most-bytes", type=int, default=sys.maxsize, help="pass over larger surfaces")
     options = parser.parse_args()
     if shutil.which("ccx") is None:
         parser.error("there is no ccx: install calculix-ccx")
+    first, step = map(int, options.share.split("/"))
     is_good = True
     cases: list[Case] = []
-    for path in surfaces_in(options.surfaces, options.most_bytes):
+    for path in islice(surfaces_in(options.surfaces, options.most_bytes), first - 1, None, step):
         for unit in UNITS:
-            analysed = sum(one.unit == unit and one.cells < MOST_CELLS for one in cases)
+            analysed = sum(one.unit == unit and may_be_analysed(one.cells) for one in cases)
             analyse = unit == "mm" and analysed < options.analyses
             case = judged(path, unit, options, analyse)
             if isinstance(case, str):
@@ -221,9 +230,9 @@ def main() -> int:
             is_good = is_good and agrees and ((case.refused == 0 and not case.wrong) or options.no_refine)
             for words in case.wrong:
                 print(f"{case.name} in {unit}: {words}", flush=True)
-            if case.refused > 0 or not agrees:
-                told = "" if agrees else f", and InsideOut counts {case.told}"
-                print(f"{case.name} in {unit}: CalculiX refuses {case.refused} of {case.cells} cells{told}; {case.flat} are flat exactly", flush=True)
+            told = "" if agrees else f", and InsideOut counts {case.told}"
+            refused = f"CalculiX refuses {case.refused} of {case.cells} cells{told}"
+            print(f"{case.name} in {unit}: {refused}; {case.flat} are flat exactly", flush=True)
     if not cases:
         parser.error("no solid was judged")
     for unit in UNITS:

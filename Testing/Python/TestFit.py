@@ -309,6 +309,11 @@ class Judge(CommandLine):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertIn("mm: gmsh and the analyses find something wrong with 0 solids", done.stdout)
 
+    def test_shares_are_of_the_surfaces_given(self):
+        boxes = [self.file(f"{name}.ply", surfaces.box()) for name in "abc"]
+        done = subprocess.run([sys.executable, self.PROGRAM, *boxes, "--share", "2/2"], capture_output=True, text=True, check=False)
+        self.assertEqual(re.findall(r"(.)\.ply in (\w+): CalculiX refuses 0 of 12 cells", done.stdout), [("b", "mm"), ("b", "m")])
+
     def test_it_tells_of_what_is_wrong(self):
         spec = importlib.util.spec_from_file_location("judge_fit", self.PROGRAM)
         judge = importlib.util.module_from_spec(spec)
