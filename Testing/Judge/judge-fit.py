@@ -111,7 +111,7 @@ def refused_by_calculix(folder: Path) -> int:
 
 def wrong_by_gmsh(msh: Path) -> list[str]:
     """What gmsh says of a mesh, its warnings too."""
-    done = subprocess.run(["gmsh", str(msh), "-check"], capture_output=True, text=True, check=False)
+    done = subprocess.run(["gmsh", msh.name, "-check"], cwd=msh.parent, capture_output=True, text=True, check=False)
     lines = (done.stdout + done.stderr).splitlines()
     found = [line for line in lines if line.startswith(("Warning", "Error"))]
     said = [f"gmsh: {found[0]} (the first of {len(found)} such lines)"] if found else []
