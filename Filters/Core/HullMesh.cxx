@@ -6,6 +6,7 @@
 #include "Common/AddUp.h"
 #include "Common/Box.h"
 #include "Common/Vectors.h"
+#include "Refine/MendFlatCells.h"
 #include "Tetrahedralize/TetrahedralizeApart.h"
 #include "WindingNumber/WindingNumberOfCells.h"
 
@@ -173,6 +174,10 @@ void MeshResolvedHull(const HullMeshParameters& parameters, HullMesh& hull, Moni
   Tetrahedralization result = parameters.PartsApart
     ? TetrahedralizeApart(hull.Surface, parameters.Budgets, monitor)
     : ConstrainedDelaunay(hull.Surface, parameters.Budgets, monitor);
+  if (result.Parts == 1)
+  {
+    result.Mesh = MendFlatCells(hull.Surface, std::move(result.Mesh), monitor);
+  }
   if (parameters.PartsApart)
   {
     hull.Statistics.emplace_back("PartsApart", result.Parts);

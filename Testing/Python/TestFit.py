@@ -209,10 +209,11 @@ class Unfit(CommandLine):
     """Cells that a solver does not take: the count, and what helps."""
 
     def write_unrefined(self) -> int:
-        """The number of cells that are told as refused."""
+        """The number of cells that are told as refused, between faces that are one rounding apart."""
+        boxes = surfaces.joined(surfaces.box(), surfaces.box((0.1, 0, 1 - 1e-16)))
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            insideout.tetrahedralize(slanting_plate(), refine=False, output=self.path("solid.inp"))
+            insideout.tetrahedralize(boxes, refine=False, output=self.path("solid.inp"))
         (told,) = [str(one.message) for one in caught if "a solver refuses" in str(one.message)]
         return int(re.search(r"refuses (\d+) of", told)[1])
 
@@ -232,6 +233,10 @@ class Unfit(CommandLine):
         self.assertIn(f"{count:,} cells that a solver refuses", [finding.text for finding in found.findings if finding.matters])
         (warning,) = found.warnings
         self.assertRegex(warning, rf"^a solver refuses {count} of \d+ cells")
+
+    def test_flat_cells_are_reconnected_where_nothing_is_refined(self):
+        solid = insideout.tetrahedralize(slanting_plate(), refine=False).solid
+        self.assertEqual(insideout.check_solid(solid).statistics["RefusedCells"], 0)
 
     def test_the_unit_counts_and_a_smaller_one_helps(self):
         small = insideout.tetrahedralize(surfaces.box(), refine=True, scale=1e-8)

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/MendFlatCells.h"
+
+#include "Common/PointPredicates.h"
+#include "Common/RawTetrahedra.h"
+#include "Refine/CellShape.h"
+#include "Support/TestTetrahedra.h"
+#include "Tetrahedralize/AssembleMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace insideout;
+
+namespace
+{
+std::ptrdiff_t CountFlat(const TetrahedralMesh& mesh)
+{
+  return std::count_if(mesh.Cells.begin(), mesh.Cells.end(),
+    [&mesh](const Tetrahedron& cell) { return ShapeOf(mesh.Points, cell) < 1e-20; });
+}
+
+/** The faces of facets, sorted. */
+std::vector<std::pair<Id, Triangle>> FacesOfFacets(const TetrahedralMesh& mesh)
+{
+  std::vector<std::pair<Id, Triangle>> faces;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (mesh.Facets[c][k] != None && mesh.FacetSides[c][k] > 0)
+      {
+        Triangle face = FaceOf(mesh.Cells[c], k);
+        std::sort(face.begin(), face.end());
+        faces.emplace_back(mesh.Facets[c][k], face);
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+} // namespace
+
+TEST(MendFlatCells, ReconnectsAndKeepsFacets)
+{
+  std::ptrdiff_t before = 0;
+  std::ptrdiff_t after = 0;
+  for (unsigned seed = 0; seed < 6; ++seed)
+  {
+    TetrahedralMesh mesh = testtetrahedra::EvenGrid(5);
+    testtetrahedra::Flatten(mesh, seed);
+    const FacetComplex surface = testtetrahedra::RandomFaces(mesh, seed);
+    Monitor monitor;
+    const TetrahedralMesh mended = MendFlatCells(surface, mesh, monitor);
+    EXPECT_TRUE(testtetrahedra::AllPositive(mended));
+    EXPECT_EQ(mended.Points, mesh.Points);
+    EXPECT_EQ(FacesOfFacets(mended), FacesOfFacets(mesh));
+    EXPECT_TRUE(mended.LostFacets.empty());
+    before += CountFlat(mesh);
+    after += CountFlat(mended);
+  }
+  EXPECT_GT(before, 20);
+  EXPECT_LT(after, 0.8 * static_cast<double>(before));
+}
+
+TEST(MendFlatCells, MovesSteinerPointsAlone)
+{
+  TetrahedralMesh cube = testtetrahedra::EvenGrid(1);
+  const std::vector<int> inside(cube.Cells.size(), 1);
+  const FacetComplex surface = testtetrahedra::BoundaryOfLabels(cube, inside, 1);
+  RawTetrahedra raw;
+  raw.Points = cube.Points;
+  raw.Points.push_back({ { 40, 30, 1e-18 } });
+  for (Id c = 0; c < cube.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (cube.Neighbors[c][k] == None)
+      {
+        const Triangle f = FaceOf(cube.Cells[c], k);
+        raw.Cells.push_back({ { f[0], f[1], f[2], static_cast<Id>(cube.Points.size()) } });
+        raw.Faces.push_back(f);
+        raw.FacetOfFaces.push_back(cube.Facets[c][k]);
+      }
+    }
+  }
+  Monitor monitor;
+  const TetrahedralMesh mesh = AssembleMesh(surface, raw, monitor);
+  ASSERT_GT(CountFlat(mesh), 0);
+  const TetrahedralMesh mended = MendFlatCells(surface, mesh, monitor);
+  EXPECT_EQ(CountFlat(mended), 0);
+  EXPECT_EQ(mended.Cells.size(), mesh.Cells.size());
+  EXPECT_GT(mended.Points.back()[2], 1);
+  EXPECT_TRUE(std::equal(cube.Points.begin(), cube.Points.end(), mended.Points.begin()));
+  EXPECT_EQ(FacesOfFacets(mended), FacesOfFacets(mesh));
+
+  FacetComplex withPoint = surface; // the same point is one of the input now
+  withPoint.Points.push_back(raw.Points.back());
+  withPoint.Origins.push_back(PointOrigin::Input(static_cast<Id>(cube.Points.size())));
+  const TetrahedralMesh given = AssembleMesh(withPoint, raw, monitor);
+  EXPECT_EQ(MendFlatCells(withPoint, given, monitor).Points, raw.Points);
+}
