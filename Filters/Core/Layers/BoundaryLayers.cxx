@@ -24,7 +24,7 @@ namespace insideout
 namespace
 {
 /** Limit of rounds. They end earlier when fewer than this share of the points move. */
-constexpr int MostRounds = 12;
+constexpr int MostRounds = 24;
 constexpr double LeastShareOfMoved = 0.05;
 
 /**

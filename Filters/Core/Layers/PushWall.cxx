@@ -26,6 +26,17 @@ constexpr double StepOfEdges = 0.5;
 
 /** Limit of halvings of a step that is not possible. */
 constexpr int MostHalvings = 4;
+
+/** Cosine of 60 degrees. Steeper triangles behind the layers, up to turned ones, are where a point
+ * stays and its neighbors go on. */
+constexpr double LeastCosineOfTilt = 0.5;
+
+bool IsTooSteep(const LayerColumn& column)
+{
+  const Point outer = NormalOf(column.Outer[0], column.Outer[1], column.Outer[2]);
+  const Point inner = NormalOf(column.Inner[0], column.Inner[1], column.Inner[2]);
+  return Dot(outer, inner) < LeastCosineOfTilt * Length(outer) * Length(inner);
+}
 } // namespace
 
 PushedWall::PushedWall(RefinableMesh& mesh, const WallPush& push)
@@ -88,7 +99,7 @@ bool PushedWall::MoveTo(Id point, double height)
   const double before = WorstShapeAt(points, this->Walls, points[point], any);
   const double least = std::min(ShapeOfAngle(LeastAngle), LeastShare * std::max(before, 0.0));
   if (!(WorstShapeAt(points, this->Walls, place, least) > least) || !this->IsInside(point, place) ||
-    !this->ArePositive(point, place))
+    !this->AreGood(point, place))
   {
     return false;
   }
@@ -113,8 +124,8 @@ bool PushedWall::IsInside(Id point, const Point& place) const
       });
 }
 
-/** Whether the layers around a point are positive after a move. */
-bool PushedWall::ArePositive(Id point, const Point& place) const
+/** Whether the layers around a point are positive and even where it is moved. */
+bool PushedWall::AreGood(Id point, const Point& place) const
 {
   const auto at = this->Push.Wall.TrianglesAt[point];
   return std::all_of(at.begin(), at.end(),
@@ -127,7 +138,7 @@ bool PushedWall::ArePositive(Id point, const Point& place) const
       {
         column.Inner[k] = triangle[k] == point ? place : column.Inner[k];
       }
-      return IsPositive(column, this->Push.Fractions);
+      return !IsTooSteep(column) && IsPositive(column, this->Push.Fractions);
     });
 }
 } // namespace insideout

@@ -20,10 +20,11 @@ struct WallPush
 };
 
 /**
- * Moves the points of a wall inward. A step is done completely or not at all: afterwards all cells
- * of the mesh and of the layers around are positive, exactly. Each step leads to the inner side of
- * all triangles of the moved wall around the point. So the moved wall never crosses itself or the
- * wall: each move sweeps only cells around the point.
+ * Moves the points of a wall inward, whole or not at all each. After a move all cells of the mesh
+ * and of the layers around are positive, exactly, and no triangle is tilted by more than 60 degrees
+ * (up to rounding). The point has gone to the inner side of all triangles of the moved wall around
+ * it. So the moved wall never crosses itself or the wall: each move sweeps only cells around the
+ * point.
  */
 class PushedWall
 {
@@ -49,7 +50,7 @@ private:
   double MostAt(Id point) const;
   bool MoveTo(Id point, double height);
   bool IsInside(Id point, const Point& place) const;
-  bool ArePositive(Id point, const Point& place) const;
+  bool AreGood(Id point, const Point& place) const;
 
   RefinableMesh& Mesh;
   const WallPush Push;

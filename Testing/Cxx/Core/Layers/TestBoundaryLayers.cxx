@@ -197,6 +197,27 @@ std::vector<Id> Boundary(const TetrahedralMesh& mesh)
   return faces;
 }
 
+/** The least cosine of the angle by which triangles behind the layers are tilted. */
+double LeastCosineOfTilt(const LayeredMesh& layered)
+{
+  const auto layers = static_cast<std::size_t>(StatisticOf(layered, "Layers"));
+  double least = 1;
+  for (std::size_t first = 0; first + layers <= layered.Prisms.size(); first += layers)
+  {
+    const Prism& outer = layered.Prisms[first];
+    const Prism& inner = layered.Prisms[first + layers - 1];
+    const auto normal = [&](const Prism& prism, int k)
+    {
+      return NormalOf(
+        layered.Points[prism[k]], layered.Points[prism[k + 1]], layered.Points[prism[k + 2]]);
+    };
+    const Point u = normal(outer, 0);
+    const Point v = normal(inner, 3);
+    least = std::min(least, Dot(u, v) / (Length(u) * Length(v)));
+  }
+  return least;
+}
+
 /** Expect what MakeBoundaryLayers promises. */
 void ExpectLaws(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const LayeredMesh& layered, std::vector<Id> wall = {})
@@ -208,6 +229,7 @@ void ExpectLaws(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const auto isPositive = [&](const auto& cell) { return Orient(points, cell) > 0; };
   EXPECT_TRUE(std::all_of(layered.Prisms.begin(), layered.Prisms.end(), isPositive));
   EXPECT_TRUE(std::all_of(layered.Pyramids.begin(), layered.Pyramids.end(), isPositive));
+  EXPECT_GE(LeastCosineOfTilt(layered), 0.5 - 1e-9);
 
   const std::vector<std::vector<Face>> cells = FacesOfCells(layered);
   ASSERT_EQ(layered.Layers.size(), cells.size());
