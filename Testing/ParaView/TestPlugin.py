@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ElementTree
 
 from paraview import servermanager, simple, smtrace
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringArray, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import VTK_WEDGE
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -94,6 +95,20 @@ class TestPlugin(unittest.TestCase):
         counts = [proxy.GetDataInformation().GetNumberOfCells() for proxy in (within, after)]
         self.assertEqual(*counts)
         self.assertGreater(counts[0], 500)
+
+    def test_layers_are_put_behind_the_whole_boundary_or_behind_tags(self):
+        solid = simple.RobustTetrahedralize(Input=self.surface, Refine=1, EdgeLength=0.2)
+        tag = names_of_tags(solid)[0]
+        for boundary, tags in ((None, ""), (servermanager.OutputPort(solid, 1), tag)):
+            layers = simple.BoundaryLayers(Input=solid, Boundary=boundary, Layers=2, FirstHeight=0.01, LayerTags=tags)
+            layers.UpdatePipeline()
+            self.assertEqual(layers.CellData["Layer"].GetRange(), (0, 2))
+            self.assertAlmostEqual(volume(layers), 1.75, 3)  # quads that are not planar are cut
+            grid = servermanager.Fetch(layers, idx=0)
+            prisms = sum(grid.GetCellType(c) == VTK_WEDGE for c in range(grid.GetNumberOfCells()))
+            self.assertGreater(prisms, 0)
+            self.assertEqual(prisms, statistics_of(grid)["Prisms"])
+            self.assertEqual(servermanager.Fetch(layers, idx=1).GetNumberOfCells() > 0, bool(boundary))
 
     def test_the_stages_chain(self):
         resolved = simple.ResolveSelfIntersections(Input=self.surface)

@@ -2,9 +2,14 @@
 """Boundary layers: prisms at the walls of a solid, in Python, on the command line, and in files."""
 
 import os
+import subprocess
 import unittest
+import warnings
+from pathlib import Path
 
+import gmsh
 import insideout
+import meshio
 import numpy as np
 import surfaces
 from command import CommandLine, read_grid, run_here
@@ -43,6 +48,16 @@ class Layers(CommandLine):
     def places_of(self, result, tag):
         chosen = result.boundary.cell_arrays["BoundaryTag"] == ("inlet", "outlet", "wall").index(tag)
         return result.boundary.points[result.boundary.triangles[chosen]]
+
+    def test_facets_of_a_kept_surface_stay_bit_by_bit(self):
+        ball = surfaces.ball(0.7, 16, 8)
+        places, triangles = surfaces.points_of(ball), surfaces.triangles_of(ball)
+        facets = {frozenset(map(tuple, places[triangle])) for triangle in triangles}
+        result = insideout.tetrahedralize(ball, surface_treatment="kept", layers=2, first_height="1%")
+        solid, boundary = result.solid, result.boundary
+        self.assertEqual({frozenset(map(tuple, boundary.points[triangle])) for triangle in boundary.triangles}, facets)
+        outer = solid.cells["wedge"][solid.layer[-len(solid.cells["wedge"]) :] == 1][:, :3]
+        self.assertEqual({frozenset(map(tuple, solid.points[triangle])) for triangle in outer}, facets)
 
     def test_they_go_on_along_inlet_and_outlet(self):
         result = self.layered()
@@ -111,6 +126,7 @@ class Layers(CommandLine):
             ({**LAYERS, "first_height": 0.0}, "first_height is 0"),
             ({**LAYERS, "first_height": -1.0}, "first_height is -1"),
             ({**LAYERS, "layers": 0}, "layers is 0"),
+            ({**LAYERS, "layers": 1}, "growth is given, and layers is 1"),
             ({**LAYERS, "layer_tags": "wall,Door"}, "Door, which is not a tag of the boundary; its tags are inlet, outlet, wall"),
             ({**LAYERS, "quadratic_cells": True}, "quadratic_cells"),
             ({**LAYERS, "surface_only": True}, "surface_only"),
@@ -162,6 +178,9 @@ class Layers(CommandLine):
         self.assertGreater(checked.statistics["NegativeCells"], 0)
         self.assertGreater(checked.statistics["RefusedCells"], 0)
         self.assertEqual(checked.solid.cell_arrays["Orientation"][prism], -1)
+        insideout.write(solid, self.path("turned.vtu"))
+        told = run_here("check", self.path("turned.vtu")).stdout
+        self.assertRegex(told, r"prisms in 1 part that do not conform; [\d,]+ negative cells")
 
     def test_files_of_solvers_hold_them(self):
         result = self.layered()
@@ -181,6 +200,65 @@ class Layers(CommandLine):
                 self.assertIn(word, text)
             with self.assertWarnsRegex(insideout.Warning, "prisms|Prisms|C3D6"):
                 self.assertEqual(insideout.read(path).GetNumberOfPoints(), result.solid.GetNumberOfPoints())
+
+    def with_all_kinds_of_cells(self):
+        """Layers at one of two triangles of a plane, where they end in pyramids and tetrahedra."""
+        halves = self.file("halves.obj", BOX.replace("f 1 3 4\n", "f 1 3 4\ng other\n"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", insideout.Warning)  # of the wall's share
+            return insideout.tetrahedralize(halves, **REMESHED, **{**LAYERS, "layer_tags": "inlet"})
+
+    def test_meshio_reads_their_files(self):
+        for result in (self.layered(), self.with_all_kinds_of_cells()):
+            for ending in (".msh", ".mesh", ".inp"):
+                insideout.write(result, self.path("solid" + ending))
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")  # meshio's own, of numpy
+                    mesh = meshio.read(self.path("solid" + ending))
+                cells = dict(result.solid.cells)
+                if ending == ".inp" and "pyramid" in cells:  # as prisms whose two triangles share a corner
+                    cells["wedge"] = [*cells["wedge"], *cells.pop("pyramid")]
+                with self.subTest(ending, kinds=list(cells)):
+                    for kind, corners in cells.items():
+                        blocks = [block.data for block in mesh.cells if block.type == kind]
+                        read = [mesh.points[cell] for data in blocks for cell in data]
+                        made = [result.solid.points[list(cell)] for cell in corners]
+                        self.assertEqual(self.by_places(read), self.by_places(made))
+
+    def by_places(self, cells):
+        return sorted(sorted(set(map(tuple, cell))) for cell in cells)
+
+    def test_gmsh_reads_their_files_and_finds_each_cell_positive(self):
+        gmsh.initialize()
+        self.addCleanup(gmsh.finalize)
+        gmsh.option.setNumber("General.Terminal", 0)
+        for result in (self.layered(), self.with_all_kinds_of_cells()):
+            insideout.write(result, self.path("solid.msh"))
+            gmsh.clear()
+            gmsh.merge(self.path("solid.msh"))
+            volume = 0
+            for kind, name in ((4, "tetra"), (6, "wedge"), (7, "pyramid")):
+                count = len(gmsh.model.mesh.getElementsByType(kind)[0])
+                self.assertEqual(count, len(result.solid.cells.get(name, ())))
+                if count:
+                    places, weights = gmsh.model.mesh.getIntegrationPoints(kind, "Gauss3")
+                    determinants = gmsh.model.mesh.getJacobians(kind, places)[1].reshape(count, -1)
+                    self.assertGreater(determinants.min(), 0)
+                    volume += (determinants @ weights).sum()
+            # The rule for pyramids is not exact.
+            self.assertAlmostEqual(volume, 24, places=1 if "pyramid" in result.solid.cells else 9)
+
+    def test_calculix_presses_on_their_sides(self):
+        layers = ("--edge-length", "0.5", "--layers", "3", "--first-height", "0.02", "--layer-tags", "wall")
+        loads = ("--material", "steel", "--fix", "inlet", "--pressure", "outlet", "1")
+        ran = run_here("mesh", self.box, self.path("solid.inp"), *layers, *loads)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        ran = subprocess.run(["ccx", "solid"], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertIn("Job finished", ran.stdout)
+        self.assertNotIn("*ERROR", ran.stdout)
+        lines = Path(self.folder, "solid.dat").read_text(encoding="ascii").split("\n")
+        force = next(line.split() for line in lines if len(line.split()) == 3 and "total" not in line)
+        np.testing.assert_allclose(np.array(force, float), (0, 0, 6), atol=1e-6)  # area times pressure
 
 
 if __name__ == "__main__":

@@ -145,6 +145,8 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
         given = next((name for name in LAYER_OPTIONS if self._is_given(name)), None)
         if given and self.first_height is None:
             raise ArgumentError(f"{given} is given, and first_height is not: layers need the height of the first one")
+        if self.layers == 1 and self._is_given("growth"):
+            raise ArgumentError("growth is given, and layers is 1: a single layer does not grow")
         others = ("quadratic_cells", "surface_only")
         unfit = next((name for name in others if given and self._is_given(name)), None)
         if unfit:
