@@ -27,12 +27,12 @@
  * without FacetIds and FacetMultiplicity, which have a value for each face of a tetrahedron. Point
  * data are interpolated (0 in integer arrays); vtkOriginalPointIds is -1 for points that are new or
  * have moved. Field data: the input's, and Statistics (named by StatisticsNames): Layers, Prisms,
- * Pyramids, LayerTetrahedra and SecondsLayers. The wall has WallTriangles, WallPoints,
- * ReducedPoints (with layers lower than requested), BarePoints (without layers) and NarrowPoints
- * (where the solid is narrower than three times the layers). FullHeightShare is the share of its
- * area with full height at all three points, MeanHeightShare the mean height over the requested
- * one. The quality of cells is that of the tetrahedra behind. A warning gives the share of the wall
- * with full height, unless it is 1.
+ * Pyramids, LayerTetrahedra and SecondsLayers. The wall has WallTriangles and WallPoints.
+ * ReducedPoints have layers lower than requested, BarePoints none. NarrowPoints are where the solid
+ * is narrower than three times the layers, EndPoints where no direction leads inward, as above.
+ * FullHeightShare is the share of the wall with full height at all three points,
+ * MeanHeightShare the mean height over the requested one. The quality of cells is that of the
+ * tetrahedra behind. A warning gives the share of the wall with full height, unless it is 1.
  *
  * The second output is the boundary of the grid with layers, if the second input is given: its
  * triangles, and each quad as two triangles, with the data of a triangle of the same part.

@@ -129,6 +129,10 @@ std::string WordsOfHeights(const Statistics& statistics)
     words << "; at " << valueOf("NarrowPoints")
           << " points the solid is narrower than three times the layers";
   }
+  if (valueOf("EndPoints") > 0)
+  {
+    words << "; at " << valueOf("EndPoints") << " points no direction leads inward";
+  }
   return share < 1 ? words.str() : std::string();
 }
 } // namespace

@@ -120,6 +120,13 @@ class Layers(CommandLine):
         self.assertEqual(result.statistics["FullHeightShare"], 1)
         self.assertEqual(result.statistics["Prisms"], 2 * result.boundary.GetNumberOfCells())
 
+    def test_it_is_told_why_layers_end(self):
+        rest = "g rest\nf 1 3 4\nf 5 6 8\n"  # with one half of a plane, of which the other half is no wall
+        half = self.file("half.obj", BOX[: BOX.index("g inlet")] + "g half\nf 1 4 2\n" + rest + BOX[BOX.index("f 5 8 7") :])
+        result = insideout.tetrahedralize(half, surface_treatment="kept", **{**LAYERS, "layer_tags": "half"})
+        self.assertEqual(result.statistics["Prisms"], 0)
+        self.assertTrue(any("2 have none; at 2 points no direction leads inward" in told for told in result.warnings))
+
     def test_wrong_options_are_named(self):
         for options, words in (
             ({"layers": 3}, "first_height is not"),

@@ -264,6 +264,9 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
   AppendShares(SharesOfHeight(wall, directions, pushed, height, mesh.Points.size()), wall,
     mesh.Points, result.Statistics);
   result.Statistics.emplace_back("NarrowPoints", narrow);
+  result.Statistics.emplace_back("EndPoints",
+    std::count_if(
+      wall.Points.begin(), wall.Points.end(), [&](Id p) { return directions[p].Cosine == 0; }));
   return result;
 }
 } // namespace

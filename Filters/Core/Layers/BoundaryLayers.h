@@ -29,7 +29,8 @@ struct LayerParameters
  *
  * Statistics: Layers, Prisms, Pyramids, LayerTetrahedra; WallTriangles, WallPoints, of these
  * ReducedPoints, whose layers are lower than asked for, and BarePoints without layers;
- * NarrowPoints, for which a gap is too narrow; FullHeightShare, the share of the wall's area whose
+ * NarrowPoints, for which a gap is too narrow, and EndPoints, at which no direction leads inward
+ * from all triangles along the planes beside them; FullHeightShare, the share of the area whose
  * three points have full height, and MeanHeightShare, the mean over its area of the share of the
  * height.
  *

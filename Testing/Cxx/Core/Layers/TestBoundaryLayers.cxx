@@ -451,6 +451,7 @@ TEST(BoundaryLayers, GoOnAlongPlanes)
   EXPECT_EQ(layered.Pyramids.size(), 0U);
   EXPECT_EQ(StatisticOf(layered, "FullHeightShare"), 1);
   EXPECT_EQ(StatisticOf(layered, "BarePoints"), 0);
+  EXPECT_EQ(StatisticOf(layered, "EndPoints"), 0);
   ASSERT_GT(layered.Sides.size(), 0U);
   for (const LayerSide& side : layered.Sides)
   {
@@ -476,6 +477,7 @@ TEST(BoundaryLayers, EndInPyramidsAndTetrahedra)
   EXPECT_GT(layered.Pyramids.size(), 0U);
   EXPECT_GT(StatisticOf(layered, "LayerTetrahedra"), 0);
   EXPECT_GT(StatisticOf(layered, "BarePoints"), 0);
+  EXPECT_EQ(StatisticOf(layered, "EndPoints"), StatisticOf(layered, "BarePoints"));
   EXPECT_LT(StatisticOf(layered, "FullHeightShare"), 1);
 }
 
