@@ -75,6 +75,7 @@ if cmake -S "$root" -B "$filters" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     /usr/bin/python3 "$here/measure-total.py" "$bin/BenchmarkConstrainedDelaunay" "$@" &&
     /usr/bin/python3 "$here/measure-ranks.py" &&
     /usr/bin/python3 "$here/measure-fit.py" "$figures/surfaces"/* &&
+    /usr/bin/python3 "$here/measure-layers.py" "$figures/surfaces"/* &&
     /usr/bin/python3 "$here/measure-quality.py" --table "$build/quality.csv" "$@")
 else
   echo "missing: the filters cannot be built ($build/filters.log); rerun is not measured"
