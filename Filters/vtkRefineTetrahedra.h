@@ -129,7 +129,8 @@ public:
    * REMESHED if EdgeLength, SizeRules or SizingArrayName is given, else KEPT. Default AUTOMATIC. If
    * needles of a surface kept so leave cells that a solver refuses, AUTOMATIC takes REMESHED if
    * that helps, with a warning, but not with several tags or regions. SPLIT keeps all points; the
-   * pieces lie in the triangles' planes, within rounding. REMESHED keeps edges above FeatureAngle,
+   * pieces lie in the triangles' planes, within rounding, where coplanar triangles with the same
+   * cell data join. REMESHED keeps edges above FeatureAngle,
    * and triangles whose replacement would touch another part of the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);

@@ -7,14 +7,18 @@
 #include "Data/Attributes.h"
 #include "Refine/TriangleTree.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkVariant.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace vtkInsideOut
 {
@@ -132,25 +136,78 @@ std::array<double, 4> WeightsIn(const std::array<Point, 3>& t, const Point& plac
   return weights;
 }
 
-std::vector<std::array<Id, 4>> LabelsOf(
-  const TetrahedralMesh& mesh, const std::vector<Id>& regions, vtkPolyData* boundary)
+namespace
 {
-  vtkDataArray* tags = boundary->GetCellData()->GetArray("BoundaryTag");
+/** The numbers of triangles of the boundary on the faces of cells; 0 on others. */
+std::vector<std::array<Id, 4>> OnFaces(
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, const std::vector<Id>& numbers)
+{
   std::vector<std::array<Id, 4>> labels(mesh.Cells.size(), { { 0, 0, 0, 0 } });
   const std::vector<BothSides> faces = FacesOnBoundary(mesh, regions);
-  const std::size_t there = std::min<std::size_t>(faces.size(), boundary->GetNumberOfCells());
-  for (std::size_t i = 0; i < there && tags; ++i)
+  const std::size_t there = std::min(faces.size(), numbers.size());
+  for (std::size_t i = 0; i < there; ++i)
   {
     for (const Id face : faces[i])
     {
       if (face != None)
       {
-        labels[face / 4][face % 4] =
-          static_cast<Id>(tags->GetComponent(static_cast<vtkIdType>(i), 0));
+        labels[face / 4][face % 4] = numbers[i];
       }
     }
   }
   return labels;
+}
+
+/** The bytes of an array's values at a triangle. */
+std::string BytesAt(vtkAbstractArray* array, vtkIdType triangle)
+{
+  std::string bytes;
+  const int components = array->GetNumberOfComponents();
+  for (int k = 0; k < components; ++k)
+  {
+    if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    {
+      const double value = numbers->GetComponent(triangle, k);
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    }
+    else
+    {
+      bytes += array->GetVariantValue(components * triangle + k).ToString() + '\0';
+    }
+  }
+  return bytes;
+}
+} // namespace
+
+std::vector<std::array<Id, 4>> LabelsOf(
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, vtkPolyData* boundary)
+{
+  vtkDataArray* tags = boundary->GetCellData()->GetArray("BoundaryTag");
+  std::vector<Id> numbers;
+  for (vtkIdType t = 0; tags && t < boundary->GetNumberOfCells(); ++t)
+  {
+    numbers.push_back(static_cast<Id>(tags->GetComponent(t, 0)));
+  }
+  return OnFaces(mesh, regions, numbers);
+}
+
+std::vector<std::array<Id, 4>> AttributesOf(
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, vtkPolyData* boundary)
+{
+  std::map<std::string, Id> known;
+  std::vector<Id> numbers;
+  for (vtkIdType t = 0; t < boundary->GetNumberOfCells(); ++t)
+  {
+    std::string bytes;
+    for (int a = 0; a < boundary->GetCellData()->GetNumberOfArrays(); ++a)
+    {
+      vtkAbstractArray* array = boundary->GetCellData()->GetAbstractArray(a);
+      const std::string name = array->GetName() ? array->GetName() : "";
+      bytes += name == "vtkOriginalCellIds" ? std::string() : BytesAt(array, t);
+    }
+    numbers.push_back(known.emplace(bytes, static_cast<Id>(known.size())).first->second);
+  }
+  return OnFaces(mesh, regions, numbers);
 }
 
 vtkSmartPointer<vtkPolyData> RefineBoundary(const TetrahedralMesh& mesh,

@@ -27,6 +27,10 @@ std::array<double, 4> WeightsIn(
 std::vector<std::array<insideout::Id, 4>> LabelsOf(const insideout::TetrahedralMesh& mesh,
   const std::vector<insideout::Id>& regions, vtkPolyData* boundary);
 
+/** The same for all cell data but vtkOriginalCellIds: the same number where these are the same. */
+std::vector<std::array<insideout::Id, 4>> AttributesOf(const insideout::TetrahedralMesh& mesh,
+  const std::vector<insideout::Id>& regions, vtkPolyData* boundary);
+
 /**
  * The boundary of a refined mesh. Each triangle has the cell data of the original triangle that
  * contains it, or is nearest to it; point data are interpolated in the nearest triangle.

@@ -437,6 +437,10 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   {
     parameters.Labels = LabelsOf(mesh, ownRegions, boundary);
   }
+  if (boundary && parameters.Surface == SurfaceTreatment::Split)
+  {
+    parameters.Attributes = AttributesOf(mesh, ownRegions, boundary);
+  }
   const RefinedMesh refined = RefineTetrahedra(mesh, regions, parameters, monitor);
   QuadraticCells secondOrder;
   if (quadratic)

@@ -76,6 +76,10 @@ void RefinableSurface::FindPinched()
 
 bool RefinableSurface::MustBeRidge(const EdgeUse* first, const EdgeUse* last, double cosine) const
 {
+  if (this->How != SurfaceTreatment::Remeshed)
+  {
+    return last - first != 2 || first[0].Facet != first[1].Facet;
+  }
   return last - first != 2 ||
     this->Facets[first[0].Facet].Label != this->Facets[first[1].Facet].Label ||
     first[0].Regions != first[1].Regions || DifferByMore(first[0].Normal, first[1].Normal, cosine);
@@ -111,8 +115,7 @@ void RefinableSurface::FindRidges(double featureAngle)
       std::count_if(first, last, [](const EdgeUse& use) { return use.Regions[1] == None; });
     const bool isKept = ofBoundary > 2 ||
       std::any_of(first, last, [&](const EdgeUse& use) { return this->IsLocked(use.Facet); });
-    if (isKept || this->How != SurfaceTreatment::Remeshed ||
-      this->MustBeRidge(&*first, &*first + (last - first), cosine))
+    if (isKept || this->MustBeRidge(&*first, &*first + (last - first), cosine))
     {
       this->Ridges.emplace(first->Ends, isKept);
     }

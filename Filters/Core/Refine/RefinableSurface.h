@@ -13,7 +13,8 @@ namespace insideout
 enum class SurfaceTreatment
 {
   Kept,    ///< each stays bit by bit
-  Split,   ///< points may be added on them; the pieces stay in their planes, up to rounding
+  Split,   ///< points may be added on them; the pieces stay in their planes, up to rounding, where
+           ///< facets of one label join
   Remeshed ///< replaced by others within a distance
 };
 
@@ -33,8 +34,8 @@ class RefinableSurface
 {
 public:
   /**
-   * Sets the mesh's Kinds. Split: all edges of facets are ridges, and the points between them are
-   * fixed. Remeshed: an edge is a ridge unless exactly two facets meet there, of one label and
+   * Sets the mesh's Kinds, where split surfaces have fixed points. Split: all edges between facets
+   * are ridges. Remeshed: an edge is a ridge unless exactly two facets meet there, of one label and
    * the same regions, whose normals differ by at most an angle.
    *
    * @param[in] facets by their ids in the mesh; these, and `locked`, have to live as long

@@ -11,6 +11,7 @@
 #include "Refine/ContractSmallSteps.h"
 #include "Refine/FillWithPoints.h"
 #include "Refine/ImproveCells.h"
+#include "Refine/JoinCoplanar.h"
 #include "Refine/LocateCells.h"
 #include "Refine/MakeRefinable.h"
 #include "Refine/RefinedSurface.h"
@@ -167,6 +168,21 @@ std::vector<char> MarkCrossing(const RefinableMesh& mesh, const SurfaceOfRun& ru
   return marks;
 }
 
+/** Make each piece one of its patch's facet (JoinCoplanar). */
+void PutInPatches(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets)
+{
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (const Id facet = mesh.Cell(c).Facets[k]; facet != None)
+      {
+        mesh.SetFacet(c, k, facets[facet].Label);
+      }
+    }
+  }
+}
+
 /** Refine the mesh; its surface is treated as requested, except for locked facets. */
 void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementParameters& parameters,
   Monitor& monitor)
@@ -189,7 +205,15 @@ void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementPara
   monitor.Check(Stages::Refining, 0.05);
   if (parameters.Surface != SurfaceTreatment::Kept)
   {
-    parameters.Surface == SurfaceTreatment::Split ? sizes.FollowSurface(1) : sizes.FollowWishes();
+    if (parameters.Surface == SurfaceTreatment::Split)
+    {
+      TurnDiagonals(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.05 });
+      sizes.FollowSurface(1);
+    }
+    else
+    {
+      sizes.FollowWishes();
+    }
     CheckEstimate(sizes, parameters.MaximumCells);
     RemeshSurface(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.2 });
     sizes.FollowSurface();
@@ -206,6 +230,11 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
 {
   RefinableMesh refinable = MakeRefinable(mesh, regions, run.Facets);
   run.Locked = MarkCrossing(refinable, run, parameters.Surface, monitor, 0);
+  if (parameters.Surface == SurfaceTreatment::Split)
+  {
+    JoinCoplanar(mesh, run.Locked, run.Facets);
+    PutInPatches(refinable, run.Facets);
+  }
   Run(refinable, run, parameters, monitor);
   // SurfaceBound allows no crossings; this verifies it.
   const std::vector<char> crossing = MarkCrossing(refinable, run, parameters.Surface, monitor, 0.9);
@@ -276,7 +305,9 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   const RefinementParameters& given, Monitor& caller)
 {
   ForwardMonitor monitor(caller);
-  SurfaceOfRun run = { FacetsOf(mesh, regions, given.Labels), {}, given.SurfaceTolerance };
+  const bool isSplit = given.Surface == SurfaceTreatment::Split;
+  SurfaceOfRun run = { FacetsOf(mesh, regions, isSplit ? given.Attributes : given.Labels), {},
+    given.SurfaceTolerance };
   if (!(run.Tolerance > 0))
   {
     const Box box = BoundingBox(mesh.Points);
@@ -286,7 +317,7 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   RefinementParameters parameters = given;
   parameters.Sizes = SizesByRules(mesh, regions, run.Facets, given, monitor);
   RefinableMesh refinable = RunWithoutCrossings(mesh, regions, run, parameters, monitor);
-  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  if (parameters.Surface != SurfaceTreatment::Kept)
   {
     FindNearestFacets(run.Facets, refinable, monitor, { Stages::Refining, 0.9, 0.9 });
   }

@@ -37,9 +37,12 @@ struct RefinementParameters
    * tolerance; in degrees. */
   double FeatureAngle = 30;
 
-  /** For Remeshed, a label per face of each cell; edges between faces with different labels stay.
-   * Empty: all faces have the same number. */
+  /** For Remeshed and size rules, a label per face of each cell; edges between faces with different
+   * labels stay. Empty: all faces have the same number. */
   std::vector<std::array<Id, 4>> Labels;
+
+  /** The same for Split: coplanar faces with different numbers do not join. */
+  std::vector<std::array<Id, 4>> Attributes;
 };
 
 /** Better cells of the same solid. */
@@ -53,8 +56,8 @@ struct RefinedMesh
   std::vector<Id> OriginalCells;
 
   /** The input's face, as 4 * cell + face, for each face of each cell on the boundary or between
-   * regions: the face on the same side that it is a piece of, or (Remeshed) is nearest to. None for
-   * other faces. */
+   * regions: the face on the same side that is nearest to it (Kept: is the same). None for other
+   * faces. */
   std::vector<std::array<Id, 4>> OriginalFaces;
 
   /** Per point, an input cell that contains it, or is near it. */

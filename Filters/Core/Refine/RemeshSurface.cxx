@@ -62,6 +62,9 @@ constexpr int RoundsOfWishes = 2;
 constexpr int RoundsWhereRemeshed = 7;
 constexpr int RoundsWhereSplit = 2;
 
+/** Limit of rounds of flips before points are added to a split surface: most surfaces take few. */
+constexpr int MostRoundsOfTurns = 20;
+
 /** An edge of facets, one of its cells, and its relative length. */
 struct SurfaceEdge
 {
@@ -160,21 +163,25 @@ public:
     }
   }
 
-  void TurnDiagonals(Monitor& monitor, const ProgressRange& progress)
+  /** Flip edges that are no Delaunay edges. @return the number of flips */
+  std::size_t TurnDiagonals(Monitor& monitor, const ProgressRange& progress)
   {
     const std::vector<SurfaceEdge> edges =
       this->EdgesWithin(0, std::numeric_limits<double>::infinity());
     const LoopProgress looked(monitor, AtEndOf(progress), edges.size());
+    std::size_t turns = 0;
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
       looked.Check(i);
       const SurfaceEdge& edge = edges[i];
       const auto [u, v] = edge.Ends;
-      if (this->IsThere(edge) && !this->Surface.IsRidge(u, v) && this->IsBadDiagonal(edge))
+      if (this->IsThere(edge) && !this->Surface.IsRidge(u, v) && this->IsBadDiagonal(edge) &&
+        this->Reconnect.RemoveEdgeUnlessWorse(u, v, edge.Cell, this->Acceptable))
       {
-        this->Reconnect.RemoveEdgeUnlessWorse(u, v, edge.Cell, this->Acceptable);
+        ++turns;
       }
     }
+    return turns;
   }
 
   void MovePoints(Monitor& monitor, const ProgressRange& progress)
@@ -407,6 +414,19 @@ private:
     SplitTriedAt; ///< counted in changes of the mesh
 };
 } // namespace
+
+void TurnDiagonals(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
+  SizingField& sizes, Monitor& monitor, const ProgressRange& progress)
+{
+  SurfaceRemeshing remeshing(mesh, surface, bound, sizes);
+  for (int round = 0; round < MostRoundsOfTurns; ++round)
+  {
+    if (remeshing.TurnDiagonals(monitor, progress) == 0)
+    {
+      return;
+    }
+  }
+}
 
 void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
   SizingField& sizes, Monitor& monitor, const ProgressRange& progress)

@@ -18,4 +18,9 @@ namespace insideout
  */
 void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
   SizingField& sizes, Monitor& monitor, const ProgressRange& progress);
+
+/** Flip the edges within facets, as far as cells allow it, to Delaunay ones. @throws Error Stopped
+ */
+void TurnDiagonals(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
+  SizingField& sizes, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

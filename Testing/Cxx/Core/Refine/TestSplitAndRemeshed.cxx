@@ -364,6 +364,76 @@ TEST(SplitSurface, HasNoLongEdgesWhereShortOnesAreAskedFor)
   EXPECT_GT(StatisticOf(refined, "SurfacePoints"), 6 * 20);
 }
 
+TEST(SplitSurface, TakesNeedlesInAPlaneForOneFacet)
+{
+  // A bar of 1 : 1 : 20 whose sides are two needles each, and the same one turned, with rounding.
+  TetrahedralMesh bar = EvenGrid(1);
+  testtetrahedra::Squeeze(bar, 0, 20);
+  TetrahedralMesh turned = bar;
+  for (Point& p : turned.Points)
+  {
+    p = { { 0.6 * p[0] - 0.8 * p[1] + 0.1, 0.8 * p[0] + 0.6 * p[1], p[2] } };
+  }
+  for (const TetrahedralMesh& mesh : { bar, turned })
+  {
+    const RefinedMesh refined = Refined(mesh, {}, Split());
+    ExpectSplitLaws(mesh, {}, refined);
+    RefinementParameters apart = Split();
+    apart.Attributes.resize(mesh.Cells.size());
+    for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
+    {
+      const Id first = static_cast<Id>(4 * c);
+      apart.Attributes[c] = { { first, first + 1, first + 2, first + 3 } };
+    }
+    const RefinedMesh single = Refined(mesh, {}, apart);
+    EXPECT_LT(refined.Cells.size(), single.Cells.size());
+    EXPECT_GT(testmeshes::LeastSines(refined.Points, refined.Cells).front(),
+      testmeshes::LeastSines(single.Points, single.Cells).front());
+  }
+}
+
+TEST(SplitSurface, KeepsTheEdgesBetweenAttributes)
+{
+  const TetrahedralMesh cube = EvenGrid(5);
+  RefinementParameters parameters = Split();
+  parameters.Attributes.assign(cube.Cells.size(), { { 0, 0, 0, 0 } });
+  const auto areasOf = [&](const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
+                         const std::vector<std::array<Id, 4>>& originals)
+  {
+    std::array<double, 2> areas = { { 0, 0 } };
+    for (std::size_t c = 0; c < cells.size(); ++c)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        if (const Id original = originals[c][k]; original != None)
+        {
+          const auto [a, b, d] = CornersOf(points, FaceOf(cells[c], k));
+          areas[parameters.Attributes[original / 4][original % 4]] += Length(NormalOf(a, b, d));
+        }
+      }
+    }
+    return areas;
+  };
+  std::vector<std::array<Id, 4>> faces(cube.Cells.size(), { { None, None, None, None } });
+  for (std::size_t c = 0; c < cube.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto [a, b, d] = CornersOf(cube.Points, FaceOf(cube.Cells[c], k));
+      parameters.Attributes[c][k] = a[0] + b[1] + d[2] > 700 ? 1 : 0;
+      faces[c][k] = cube.Neighbors[c][k] == None ? static_cast<Id>(4 * c) + k : None;
+    }
+  }
+  const RefinedMesh refined = Refined(cube, {}, parameters);
+  const auto before = areasOf(cube.Points, cube.Cells, faces);
+  const auto after = areasOf(refined.Points, refined.Cells, refined.OriginalFaces);
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_GT(before[i], 0);
+    EXPECT_NEAR(after[i] / before[i], 1, 1e-12);
+  }
+}
+
 TEST(SplitSurface, LeavesLockedFacetsWhole)
 {
   const TetrahedralMesh cube = EvenGrid(1);
