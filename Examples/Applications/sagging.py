@@ -19,6 +19,7 @@ import insideout
 import numpy as np
 from fem import same_places
 from figure import SKELETON, write_figure
+from insideout.scenes import defect_lines
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersModeling import vtkFillHolesFilter
 
@@ -105,7 +106,7 @@ def main(picture: Path, folder: Path, quadratic: bool) -> None:
 
     words = f"{counts['IntersectingPairs']} pairs of facets cross, {counts['OpenEdges']} open edges"
     fallen = [drawing.actor(piece.solid, drawing.BLUE if name == "spine" else drawing.RED) for name, piece in pieces.items()]
-    given = [drawing.actor(checked.surface), drawing.actor(checked.lines, drawing.RED, width=4)]
+    given = [drawing.actor(checked.surface), *defect_lines(checked.lines)]
     at_rest = drawing.actor(drawing.warped(solved, "Displacement", 1), drawing.BLUE)
     drawing.save(
         [

@@ -19,6 +19,7 @@ import insideout
 import numpy as np
 from fem import monotone, same_places, stiffness
 from figure import SKELETON, Bone, write_figure
+from insideout.scenes import defect_lines
 from scipy.sparse.linalg import splu
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -145,9 +146,9 @@ def main(picture: Path, folder: Path) -> None:
     words = f"{statistics['IntersectingPairs']} pairs of facets cross, {statistics['OpenEdges']} open edges"
     drawing.save(
         [
-            drawing.Panel("A dirty figure", words, [drawing.actor(surface), drawing.actor(checked.lines, drawing.RED, width=4)]),
+            drawing.Panel("A dirty figure", words, [drawing.actor(surface), *defect_lines(checked.lines)]),
             drawing.Panel("The weight of a forearm", "blue 0, red 1", [drawing.coloured(shown, "Weight", (0, 1))]),
-            drawing.Panel("Bent", "a colour for each bone, mixed by weights", [figure]),
+            drawing.Panel("Bent", "a color for each bone, mixed by weights", [figure]),
         ],
         picture,
         seen_from=(-0.6, -1, 0.2),

@@ -17,6 +17,7 @@ from pathlib import Path
 import insideout
 import numpy as np
 from fem import same_places, stiffness
+from insideout.scenes import defect_lines
 from scipy.sparse.linalg import splu
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
@@ -103,10 +104,9 @@ def main(picture: Path, surface: Path, up: int) -> None:
     toward = np.eye(3)[across] + 0.25 * np.eye(3)[up] + 0.45 * np.eye(3)[3 - up - across]
     counts = checked.statistics
     words = f"{counts['OpenEdges']} open edges, {counts['IntersectingPairs']} pairs of facets cross"
-    lines = drawing.actor(checked.lines, drawing.RED, width=4)
     drawing.save(
         [
-            drawing.Panel("The surface as it came", words, [drawing.actor(raw, bark), lines]),
+            drawing.Panel("The surface as it came", words, [drawing.actor(raw, bark), *defect_lines(checked.lines)]),
             drawing.Panel("Cut open", "the surface, and the solid's texture in the cut", [drawing.actor(half_of(raw, plane), bark), wood]),
         ],
         picture,

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import insideout
 import numpy as np
+from insideout.scenes import defect_lines
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
@@ -138,7 +139,7 @@ def draw(shells, solved: vtkUnstructuredGrid, picture: Path) -> None:
             drawing.Panel(
                 "Six open shells",
                 f"{counts['IntersectingPairs']:,} pairs of facets cross, {counts['OpenEdges']} open edges",
-                [drawing.actor(checked.surface, opacity=0.35), drawing.actor(checked.lines, drawing.RED, width=3)],
+                [drawing.actor(checked.surface, opacity=0.35), *defect_lines(checked.lines)],
             ),
             drawing.Panel(
                 "One mesh, a region for each body",

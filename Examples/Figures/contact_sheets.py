@@ -4,7 +4,7 @@
     xvfb-run -a python3 contact_sheets.py FOLDER [SURFACE...]
 
 `insideout.draw` draws a row for any surface: its defects, a slice of the winding number w, the tetrahedra inside, cut open, the
-solid's boundary, and its tetrahedra in slices. Beside that stands the model's row of table 8.1. Four rows are a sheet:
+solid's boundary, and its tetrahedra in slices. Beside that stand the counts of the model's row in table 8.1. Four rows are a sheet:
 sheet-1.png and so on, in the folder. Models of Debian's packages libcgal-demo and openfoam-examples, or the surfaces given.
 """
 
@@ -36,7 +36,6 @@ FIGURES = (
     ("InsideCells", "tetrahedra"),
     ("OutlierFacets", "outliers"),
 )
-SECONDS = ("SecondsPre", "SecondsCDT", "SecondsW", "SecondsCut")
 
 
 def row_of(surface: Path, folder: Path) -> tuple[str, str, object]:
@@ -45,7 +44,6 @@ def row_of(surface: Path, folder: Path) -> tuple[str, str, object]:
     insideout.draw(surface, result.hull, folder / "row.png", row=True)
     counts = result.statistics
     lines = [f"{int(counts[statistic]):,} {what}" for statistic, what in FIGURES]
-    lines.append("seconds: " + ", ".join(f"{counts[stage]:.2f}" for stage in SECONDS))
     return surface.name, "\n".join(lines), image.imread(folder / "row.png")[..., :3]
 
 

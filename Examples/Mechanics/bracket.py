@@ -16,6 +16,7 @@ from pathlib import Path
 import insideout
 import numpy as np
 from calculix import CalculiXError, solve, total_force, with_results
+from insideout.scenes import defect_lines
 from shapes import Part, box, cylinder, strut, without, write_obj
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
@@ -64,7 +65,7 @@ def bracket(edge: float, is_closed: bool = False) -> list[Part]:
 def draw(surface: Path, solved, picture: Path) -> None:
     checked = insideout.check(surface)
     counts = checked.statistics
-    given = [drawing.actor(checked.surface, edges=True), drawing.actor(checked.lines, drawing.RED, width=4)]
+    given = [drawing.actor(checked.surface, edges=True), *defect_lines(checked.lines)]
     largest = np.linalg.norm(drawing.point_array(solved, "Displacement"), axis=1).max()
     stress = drawing.point_array(solved, "MisesStress")
     drawing.save(
