@@ -174,10 +174,7 @@ void MeshResolvedHull(const HullMeshParameters& parameters, HullMesh& hull, Moni
   Tetrahedralization result = parameters.PartsApart
     ? TetrahedralizeApart(hull.Surface, parameters.Budgets, monitor)
     : ConstrainedDelaunay(hull.Surface, parameters.Budgets, monitor);
-  if (result.Parts == 1)
-  {
-    result.Mesh = MendFlatCells(hull.Surface, std::move(result.Mesh), monitor);
-  }
+  MendFlatCells(result.Mesh, monitor);
   if (parameters.PartsApart)
   {
     hull.Statistics.emplace_back("PartsApart", result.Parts);

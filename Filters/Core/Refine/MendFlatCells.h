@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/FacetComplex.h"
 #include "Common/Monitor.h"
 #include "Common/TetrahedralMesh.h"
 
@@ -10,11 +9,9 @@ namespace insideout
 /**
  * Replace cells that are flat in doubles, where others fill the same space: by removing an edge or
  * a face (Reconnection), or by moving a Steiner point that lies on no facet. All other points, and
- * the faces on facets and on the hull, stay. The mesh is verified again (AssembleMesh).
+ * the faces on facets and on the hull, stay. Only cells near flat ones are looked at.
  *
- * @param[in] surface the complex that the mesh is of
- * @param[in] mesh of one convex hull
  * @throws Error Stopped
  */
-TetrahedralMesh MendFlatCells(const FacetComplex& surface, TetrahedralMesh mesh, Monitor& monitor);
+void MendFlatCells(TetrahedralMesh& mesh, Monitor& monitor);
 } // namespace insideout

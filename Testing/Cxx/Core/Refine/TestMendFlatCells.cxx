@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 
 using namespace insideout;
 
@@ -40,6 +41,23 @@ std::vector<std::pair<Id, Triangle>> FacesOfFacets(const TetrahedralMesh& mesh)
   std::sort(faces.begin(), faces.end());
   return faces;
 }
+/** Whether assembling the mesh from its cells and faces of facets gives the same mesh. */
+void ExpectConsistent(const FacetComplex& surface, const TetrahedralMesh& mesh)
+{
+  RawTetrahedra raw = { mesh.Points, mesh.Cells, {}, {} };
+  for (const auto& [facet, face] : FacesOfFacets(mesh))
+  {
+    raw.Faces.push_back(face);
+    raw.FacetOfFaces.push_back(facet);
+  }
+  Monitor monitor;
+  const TetrahedralMesh assembled = AssembleMesh(surface, raw, monitor);
+  EXPECT_EQ(mesh.Cells, assembled.Cells); // turned over if they were negative
+  EXPECT_EQ(mesh.Neighbors, assembled.Neighbors);
+  EXPECT_EQ(mesh.Facets, assembled.Facets);
+  EXPECT_EQ(mesh.FacetSides, assembled.FacetSides);
+  EXPECT_TRUE(assembled.LostFacets.empty());
+}
 } // namespace
 
 TEST(MendFlatCells, ReconnectsAndKeepsFacets)
@@ -52,16 +70,38 @@ TEST(MendFlatCells, ReconnectsAndKeepsFacets)
     testtetrahedra::Flatten(mesh, seed);
     const FacetComplex surface = testtetrahedra::RandomFaces(mesh, seed);
     Monitor monitor;
-    const TetrahedralMesh mended = MendFlatCells(surface, mesh, monitor);
+    TetrahedralMesh mended = mesh;
+    MendFlatCells(mended, monitor);
     EXPECT_TRUE(testtetrahedra::AllPositive(mended));
     EXPECT_EQ(mended.Points, mesh.Points);
     EXPECT_EQ(FacesOfFacets(mended), FacesOfFacets(mesh));
     EXPECT_TRUE(mended.LostFacets.empty());
+    ExpectConsistent(surface, mended);
     before += CountFlat(mesh);
     after += CountFlat(mended);
   }
   EXPECT_GT(before, 20);
   EXPECT_LT(after, 0.8 * static_cast<double>(before));
+}
+
+TEST(MendFlatCells, LeavesCellsFarFromFlatOnes)
+{
+  for (unsigned seed = 0; seed < 6; ++seed)
+  {
+    TetrahedralMesh mesh = testtetrahedra::EvenGrid(9);
+    ASSERT_EQ(testtetrahedra::Flatten(mesh, seed, 1), 1);
+    const FacetComplex surface = testtetrahedra::RandomFaces(mesh, seed);
+    TetrahedralMesh mended = mesh;
+    Monitor monitor;
+    MendFlatCells(mended, monitor);
+    ExpectConsistent(surface, mended);
+    std::vector<Tetrahedron> common;
+    std::sort(mended.Cells.begin(), mended.Cells.end());
+    std::sort(mesh.Cells.begin(), mesh.Cells.end());
+    std::set_intersection(mesh.Cells.begin(), mesh.Cells.end(), mended.Cells.begin(),
+      mended.Cells.end(), std::back_inserter(common));
+    EXPECT_GT(common.size(), mesh.Cells.size() - 50);
+  }
 }
 
 TEST(MendFlatCells, MovesSteinerPointsAlone)
@@ -88,7 +128,8 @@ TEST(MendFlatCells, MovesSteinerPointsAlone)
   Monitor monitor;
   const TetrahedralMesh mesh = AssembleMesh(surface, raw, monitor);
   ASSERT_GT(CountFlat(mesh), 0);
-  const TetrahedralMesh mended = MendFlatCells(surface, mesh, monitor);
+  TetrahedralMesh mended = mesh;
+  MendFlatCells(mended, monitor);
   EXPECT_EQ(CountFlat(mended), 0);
   EXPECT_EQ(mended.Cells.size(), mesh.Cells.size());
   EXPECT_GT(mended.Points.back()[2], 1);
@@ -98,6 +139,7 @@ TEST(MendFlatCells, MovesSteinerPointsAlone)
   FacetComplex withPoint = surface; // the same point is one of the input now
   withPoint.Points.push_back(raw.Points.back());
   withPoint.Origins.push_back(PointOrigin::Input(static_cast<Id>(cube.Points.size())));
-  const TetrahedralMesh given = AssembleMesh(withPoint, raw, monitor);
-  EXPECT_EQ(MendFlatCells(withPoint, given, monitor).Points, raw.Points);
+  TetrahedralMesh given = AssembleMesh(withPoint, raw, monitor);
+  MendFlatCells(given, monitor);
+  EXPECT_EQ(given.Points, raw.Points);
 }

@@ -220,7 +220,7 @@ void Squeeze(TetrahedralMesh& mesh, int axis, double factor)
   }
 }
 
-int Flatten(TetrahedralMesh& mesh, unsigned seed)
+int Flatten(TetrahedralMesh& mesh, unsigned seed, int most)
 {
   std::mt19937 random(seed);
   std::vector<char> fixed(mesh.Points.size(), 0);
@@ -235,7 +235,7 @@ int Flatten(TetrahedralMesh& mesh, unsigned seed)
     }
   }
   int moved = 0;
-  for (Id tries = 0; tries < mesh.NumberOfCells(); ++tries)
+  for (Id tries = 0; tries < mesh.NumberOfCells() && moved < most; ++tries)
   {
     const Id cell = static_cast<Id>(random() % mesh.Cells.size());
     const int k = static_cast<int>(random() % 4);

@@ -4,6 +4,7 @@
 #include "Common/TetrahedralMesh.h"
 
 #include <array>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -31,11 +32,11 @@ bool AllPositive(const TetrahedralMesh& mesh);
 void Squeeze(TetrahedralMesh& mesh, int axis, double factor);
 
 /**
- * Move inner points to within a few units in the last place of the opposite face of one of their
- * cells, where all cells stay positive.
+ * Move at most `most` inner points to within a few units in the last place of the opposite face of
+ * one of their cells, where all cells stay positive.
  * @return how many points were moved
  */
-int Flatten(TetrahedralMesh& mesh, unsigned seed);
+int Flatten(TetrahedralMesh& mesh, unsigned seed, int most = std::numeric_limits<int>::max());
 
 /**
  * A complex whose facets are faces of the mesh, entered into the mesh: the faces where `labels`
