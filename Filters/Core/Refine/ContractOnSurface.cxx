@@ -178,7 +178,8 @@ bool SurfaceContraction::Approach(Id point, Id target, double wanted)
     this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(), target);
 }
 
-/** Whether each label of a piece that vanishes remains on another piece nearby. */
+/** Whether each label of a piece that vanishes remains on another piece nearby, where its area is
+ * more than a rounding error. */
 bool SurfaceContraction::KeepsLabels() const
 {
   const auto labelOf = [&](const SurfacePiece& piece)
@@ -186,8 +187,9 @@ bool SurfaceContraction::KeepsLabels() const
   return std::all_of(this->Gone.begin(), this->Gone.end(),
     [&](const SurfacePiece& gone)
     {
-      return std::any_of(this->Moved.begin(), this->Moved.end(),
-        [&](const SurfacePiece& moved) { return labelOf(moved) == labelOf(gone); });
+      return HasNoArea(gone.Places) ||
+        std::any_of(this->Moved.begin(), this->Moved.end(),
+          [&](const SurfacePiece& moved) { return labelOf(moved) == labelOf(gone); });
     });
 }
 

@@ -17,6 +17,17 @@ constexpr double LeastCosine = 0.4;
 /** Least height over longest edge: thinner pieces of a surface may fold over by rounding. */
 constexpr double LeastHeight = 1e-6;
 
+/** The same for pieces with an area of their own: cuts that are rounded err by some 1e-16. */
+constexpr double LeastHeightWithArea = 1e-12;
+
+/** Whether a triangle's height over its longest edge is at most this. */
+bool IsThinner(const std::array<Point, 3>& t, double height)
+{
+  const double longest =
+    std::max({ Distance(t[0], t[1]), Distance(t[1], t[2]), Distance(t[2], t[0]) });
+  return !(Length(NormalOf(t[0], t[1], t[2])) > height * longest * longest);
+}
+
 /** Whether a piece's normal roughly follows a direction, and the piece is thick enough to tell. */
 bool LooksWhere(const SurfacePiece& piece, const Point& normal)
 {
@@ -40,11 +51,14 @@ Point CentreOf(const std::array<Point, 3>& t)
   return centre;
 }
 
-bool IsThin(const std::array<Point, 3>& t)
+bool IsThin(const std::array<Point, 3>& triangle)
 {
-  const double longest =
-    std::max({ Distance(t[0], t[1]), Distance(t[1], t[2]), Distance(t[2], t[0]) });
-  return !(Length(NormalOf(t[0], t[1], t[2])) > LeastHeight * longest * longest);
+  return IsThinner(triangle, LeastHeight);
+}
+
+bool HasNoArea(const std::array<Point, 3>& triangle)
+{
+  return IsThinner(triangle, LeastHeightWithArea);
 }
 
 bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal)
@@ -70,7 +84,7 @@ bool EachLooksAlike(const std::vector<SurfacePiece>& before, const std::vector<S
 {
   return std::equal(fresh.begin(), fresh.end(), before.begin(),
     [](const SurfacePiece& now, const SurfacePiece& then)
-    { return LooksWhere(now, NormalOf(then)); });
+    { return LooksWhere(now, NormalOf(then)) || (IsThin(then.Places) && IsThin(now.Places)); });
 }
 
 SurfacePiece PieceAt(const RefinableMesh& mesh, Id cell, int k)

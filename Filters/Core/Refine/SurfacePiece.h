@@ -23,6 +23,9 @@ Point CentreOf(const std::array<Point, 3>& triangle);
 /** Whether a triangle is so thin that it may fold over by rounding. */
 bool IsThin(const std::array<Point, 3>& triangle);
 
+/** Whether the area of a triangle is a rounding error. */
+bool HasNoArea(const std::array<Point, 3>& triangle);
+
 /**
  * Whether coplanar pieces, all seen from one side, face a normal's direction. Signs of thin pieces
  * are rounding errors and do not count.
@@ -32,7 +35,10 @@ bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal);
 /** Whether all fresh pieces face the same way as the gone ones together. */
 bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
 
-/** Whether each fresh piece faces the same way as the one it replaces. */
+/**
+ * Whether each fresh piece faces the same way as the one it replaces. One that replaces a thin one
+ * may be thin itself: its normal is a rounding error.
+ */
 bool EachLooksAlike(
   const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh);
 

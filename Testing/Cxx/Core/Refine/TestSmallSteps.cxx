@@ -46,6 +46,24 @@ RefinementParameters Remeshed(double length)
   return parameters;
 }
 
+/** The step has a label of its own. */
+RefinementParameters RemeshedWithLabelOfStep(const TetrahedralMesh& block)
+{
+  RefinementParameters parameters = Remeshed(150);
+  parameters.Labels.assign(block.Cells.size(), { { 0, 0, 0, 0 } });
+  for (std::size_t c = 0; c < block.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto places = CornersOf(block.Points, FaceOf(block.Cells[c], k));
+      const bool isOfStep = std::all_of(places.begin(), places.end(),
+        [](const Point& p) { return p[0] == 100 * (Size / 2) && p[2] >= 100 * (Size - 1); });
+      parameters.Labels[c][k] = isOfStep ? 1 : 0;
+    }
+  }
+  return parameters;
+}
+
 RefinedMesh Refined(const TetrahedralMesh& mesh, const RefinementParameters& parameters)
 {
   Monitor monitor;
@@ -89,18 +107,7 @@ TEST_P(SmallSteps, GoWhereTheyAreSmallerThanTheTolerance)
 TEST_P(SmallSteps, StayWhereTheyAreALabelOfTheirOwn)
 {
   const TetrahedralMesh block = BlockWithStep(GetParam());
-  RefinementParameters parameters = Remeshed(150);
-  parameters.Labels.assign(block.Cells.size(), { { 0, 0, 0, 0 } });
-  for (std::size_t c = 0; c < block.Cells.size(); ++c)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const auto places = CornersOf(block.Points, FaceOf(block.Cells[c], k));
-      const bool isOfStep = std::all_of(places.begin(), places.end(),
-        [](const Point& p) { return p[0] == 100 * (Size / 2) && p[2] >= 100 * (Size - 1); });
-      parameters.Labels[c][k] = isOfStep ? 1 : 0;
-    }
-  }
+  const RefinementParameters parameters = RemeshedWithLabelOfStep(block);
   const RefinedMesh refined = Refined(block, parameters);
   ExpectRemeshingLaws(block, {}, refined, Tolerance);
   std::ptrdiff_t ofStep = 0;
@@ -120,4 +127,11 @@ TEST(SmallSteps, StayWhereTheyAreLargerThanTheTolerance)
   const RefinedMesh refined = Refined(block, Remeshed(150));
   ExpectRemeshingLaws(block, {}, refined, Tolerance);
   EXPECT_LE(ShortestEdge(refined), 20.5);
+}
+
+TEST(SmallSteps, GoWhereTheirAreaIsARoundingErrorThoughTheyAreALabelOfTheirOwn)
+{
+  const TetrahedralMesh block = BlockWithStep(1e-11);
+  const RefinedMesh refined = Refined(block, RemeshedWithLabelOfStep(block));
+  EXPECT_GT(ShortestEdge(refined), 10 * Tolerance);
 }
