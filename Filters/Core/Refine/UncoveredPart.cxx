@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace insideout
 {
@@ -105,24 +106,25 @@ Point UncoveredPart::ToPlane(const Point& place) const
   return { { Dot(from, this->Axes[0]), Dot(from, this->Axes[1]), Dot(from, this->Axes[2]) } };
 }
 
-/** Keep the uncovered rest: if only a part is near, the pieces beyond each edge of the triangle. */
-void UncoveredPart::CoverPart(
+/**
+ * Whether all or a part of it is covered. In that case Left gets the rest: the pieces beyond each
+ * edge of the triangle.
+ */
+bool UncoveredPart::CoverPart(
   const Polygon& part, const std::array<Point, 3>& near, const Box& reach)
 {
+  this->Left.clear();
   if (!BoundingBox(part).Meets(reach))
   {
-    this->Left.push_back(part);
-    return;
+    return false;
   }
   if (IsNear(part, near, reach, this->Near))
   {
-    return;
+    return true;
   }
   const double area = AreaInPlane(near[0], near[1], near[2]);
-  Polygon over = part;
-  Polygon within;
-  Polygon beyond;
-  const std::size_t before = this->Left.size();
+  auto& [over, within, beyond] = this->Cuts;
+  over = part;
   for (int k = 0; k < 3 && over.size() > 2; ++k)
   {
     Cut(over, near[k], near[(k + 1) % 3], within, beyond);
@@ -132,14 +134,9 @@ void UncoveredPart::CoverPart(
     }
     over.swap(within);
   }
-  const bool isCovered = area > 0 && over.size() > 2 &&
+  return area > 0 && over.size() > 2 &&
     std::all_of(over.begin(), over.end(),
       [&](const Point& place) { return std::abs(HeightOver(near, area, place)) <= this->Near; });
-  if (!isCovered)
-  {
-    this->Left.resize(before);
-    this->Left.push_back(part);
-  }
 }
 
 void UncoveredPart::Cover(const std::array<Point, 3>& near)
@@ -151,11 +148,15 @@ void UncoveredPart::Cover(const std::array<Point, 3>& near)
     std::swap(there[1], there[2]);
   }
   const Box reach = BoundingBox({ there.begin(), there.end() }).Widened(this->Near);
-  this->Left.clear();
-  for (const Polygon& part : this->Parts)
+  // Most triangles reach few parts: the others stay where they are.
+  for (std::size_t i = this->Parts.size(); i-- > 0;)
   {
-    this->CoverPart(part, there, reach);
+    if (this->CoverPart(this->Parts[i], there, reach))
+    {
+      this->Parts[i].swap(this->Parts.back());
+      this->Parts.pop_back();
+      std::move(this->Left.begin(), this->Left.end(), std::back_inserter(this->Parts));
+    }
   }
-  this->Parts.swap(this->Left);
 }
 } // namespace insideout

@@ -37,13 +37,14 @@ private:
   using Polygon = std::vector<Point>;
 
   Point ToPlane(const Point& place) const;
-  void CoverPart(const Polygon& part, const std::array<Point, 3>& near, const Box& reach);
+  bool CoverPart(const Polygon& part, const std::array<Point, 3>& near, const Box& reach);
 
   Point Origin;
   std::array<Point, 3> Axes; ///< of length 1; the third is the normal
   bool HasNormal;
   double Near;
-  std::vector<Polygon> Parts; ///< convex
-  std::vector<Polygon> Left;
+  std::vector<Polygon> Parts;  ///< convex
+  std::vector<Polygon> Left;   ///< of a part, scratch
+  std::array<Polygon, 3> Cuts; ///< scratch
 };
 } // namespace insideout
