@@ -3,6 +3,9 @@
 
 #include "Common/DoubleDouble.h"
 #include "Common/SignOfDeterminant.h"
+#include "Mesh/MeshCell.h"
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +19,9 @@ constexpr std::int64_t WorkOfExactPredicate = 100;
 
 /** The same for one decided in double-doubles. */
 constexpr std::int64_t WorkOfDoubleDoubles = 20;
+
+/** Logarithm of the size of the cache of coplanar vertices: 2 MB. */
+constexpr int DigitsOfCache = 16;
 
 /** Relative error of a quotient. */
 constexpr double ErrorOfQuotient = 0x1p-50;
@@ -76,6 +82,17 @@ double Quotient(const DyadicNumber& x, const DyadicNumber& y)
   return middle != 0 ? middle : low != 0 ? low : high;
 }
 
+/** Three points are not collinear where the sine of the angle at the first is above this. */
+constexpr double LargestSine = 1e-9;
+
+/** A filter in doubles, which may miss collinear points that nearly coincide. */
+bool AreNearlyCollinear(const Point& a, const Point& b, const Point& c)
+{
+  const Eigen::Vector3d u(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  const Eigen::Vector3d v(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
+  return u.cross(v).norm() <= LargestSine * u.norm() * v.norm();
+}
+
 /**
  * Double-doubles give a normal and an offset to the precision of a double if these exceed this
  * share of the largest products of coordinates.
@@ -87,6 +104,7 @@ ExactVertices::ExactVertices(const std::vector<Point>& points, WorkBudget& work)
   : Budget(&work)
 {
   this->Places.reserve(points.size() + 1);
+  this->NameOf.reserve(points.size() + 1);
   for (const Point& point : points)
   {
     this->Add(point);
@@ -97,6 +115,7 @@ Id ExactVertices::Add(const Point& point)
 {
   this->Places.push_back(point);
   this->ExactOf.push_back(None);
+  this->NameOf.push_back(++this->LastName);
   return this->Size() - 1;
 }
 
@@ -137,6 +156,7 @@ void ExactVertices::RemoveLast()
   }
   this->ExactOf.pop_back();
   this->Places.pop_back();
+  this->NameOf.pop_back();
 }
 
 std::array<DyadicNumber, 4> ExactVertices::CoordinatesOf(Id vertex) const
@@ -172,6 +192,85 @@ bool ExactVertices::AreInOnePlane(const Tetrahedron& cell) const
     }
   }
   return true;
+}
+
+/** @param[in] omitted the corner without name, -1 for none */
+ExactVertices::Names ExactVertices::NamesOf(const Tetrahedron& cell, int omitted) const
+{
+  Names names;
+  for (int k = 0; k < 4; ++k)
+  {
+    names[k] = k == omitted ? 0 : this->NameOf[cell[k]];
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/** The only entry of the cache for these names, which others may occupy. */
+ExactVertices::Names& ExactVertices::EntryOf(const Names& names) const
+{
+  if (this->Coplanar.empty())
+  {
+    this->Coplanar.resize(std::size_t(1) << DigitsOfCache, Names());
+  }
+  std::uint64_t hash = 0;
+  for (const std::uint64_t name : names)
+  {
+    hash = (hash ^ name) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 32;
+  }
+  return this->Coplanar[hash >> (64 - DigitsOfCache)];
+}
+
+/** Whether the cache has the four vertices, or three of them as collinear ones. */
+bool ExactVertices::AreKnownCoplanar(const Tetrahedron& cell) const
+{
+  for (int omitted = -1; omitted < 4; ++omitted)
+  {
+    const Names names = this->NamesOf(cell, omitted);
+    if (this->EntryOf(names) == names)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool ExactVertices::AreCollinear(const Triangle& three) const
+{
+  if (!AreNearlyCollinear(
+        this->Nearest(three[0]), this->Nearest(three[1]), this->Nearest(three[2])))
+  {
+    return false;
+  }
+  const std::array<std::array<DyadicNumber, 4>, 3> m = { { this->CoordinatesOf(three[0]),
+    this->CoordinatesOf(three[1]), this->CoordinatesOf(three[2]) } };
+  const auto minor = [&m](int row, int other, int i, int j) -> DyadicNumber
+  { return m[row][i] * m[other][j] - m[row][j] * m[other][i]; };
+  for (int k = 0; k < 3; ++k) // the projections along the axes
+  {
+    const int x = (k + 1) % 3;
+    const int y = (k + 2) % 3;
+    const DyadicNumber area =
+      m[0][3] * minor(1, 2, x, y) + m[1][3] * minor(2, 0, x, y) + m[2][3] * minor(0, 1, x, y);
+    if (area.sign() != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Cache three collinear ones of the vertices, which are coplanar with any other; else all four. */
+void ExactVertices::RememberCoplanar(const Tetrahedron& cell) const
+{
+  int omitted = 3;
+  while (omitted >= 0 && !this->AreCollinear(FaceAcross(cell, omitted)))
+  {
+    --omitted;
+  }
+  const Names names = this->NamesOf(cell, omitted);
+  this->EntryOf(names) = names;
 }
 
 int ExactVertices::OrientExactly(const Tetrahedron& cell) const
@@ -223,8 +322,17 @@ int ExactVertices::OrientExactly(const Tetrahedron& cell) const
   {
     return sign;
   }
-  this->Budget->Spend(WorkOfExactPredicate);
-  return this->Determinant(cell[0], cell[1], cell[2], cell[3]).sign();
+  this->Budget->Spend(WorkOfExactPredicate); // whatever the cache holds
+  if (this->AreKnownCoplanar(cell))
+  {
+    return 0;
+  }
+  sign = this->Determinant(cell[0], cell[1], cell[2], cell[3]).sign();
+  if (sign == 0)
+  {
+    this->RememberCoplanar(cell);
+  }
+  return sign;
 }
 
 DyadicNumber ExactVertices::Determinant(Id a, Id b, Id c, Id d) const
@@ -335,9 +443,11 @@ void ExactVertices::GoBack()
   {
     this->Places[move->Vertex] = move->Place;
     this->ExactOf[move->Vertex] = move->Exact;
+    this->NameOf[move->Vertex] = ++this->LastName;
   }
   this->Places.resize(this->Past.Size);
   this->ExactOf.resize(this->Past.Size);
+  this->NameOf.resize(this->Past.Size);
   this->ExactPoints.resize(this->Past.NumberOfExact);
   this->EndJournal();
 }
@@ -350,5 +460,6 @@ void ExactVertices::MoveTo(Id vertex, const Point& point)
   }
   this->Places[vertex] = point;
   this->ExactOf[vertex] = None;
+  this->NameOf[vertex] = ++this->LastName;
 }
 } // namespace insideout

@@ -95,6 +95,9 @@ private:
     Span Within;
   };
 
+  /** The names of four vertices, or 0 and those of three, ascending. */
+  using Names = std::array<std::uint64_t, 4>;
+
   /** The vertices as they were when the journal began. */
   struct Journal
   {
@@ -120,12 +123,20 @@ private:
   bool FindPlane(Id a, Id b, Id c, const Point& origin, Plane& plane) const;
 
   std::array<DyadicNumber, 4> CoordinatesOf(Id vertex) const;
+  Names NamesOf(const Tetrahedron& cell, int omitted) const;
+  Names& EntryOf(const Names& names) const;
+  bool AreKnownCoplanar(const Tetrahedron& cell) const;
+  bool AreCollinear(const Triangle& three) const;
+  void RememberCoplanar(const Tetrahedron& cell) const;
   bool AreInOnePlane(const Tetrahedron& cell) const;
   int OrientExactly(const Tetrahedron& cell) const;
 
   std::vector<Point> Places;
   std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
   std::vector<ExactPoint> ExactPoints;
+  std::vector<std::uint64_t> NameOf; ///< per vertex, another one after each change of its place
+  std::uint64_t LastName = 0;
+  mutable std::vector<Names> Coplanar; ///< cache of what exact numbers found
   WorkBudget* Budget;
   Journal Past;
 };
@@ -142,9 +153,10 @@ void ExactVertices::ForgetExactly(const IsInUse& isInUse)
       kept.push_back(std::move(this->ExactPoints[exact]));
       exact = static_cast<Id>(kept.size() - 1);
     }
-    else
+    else if (exact != None)
     {
       exact = None;
+      this->NameOf[vertex] = ++this->LastName;
     }
   }
   this->ExactPoints = std::move(kept);

@@ -243,6 +243,52 @@ TEST(ExactVertices, ForgettingWhatIsNotInUseChangesNoPredicateOfTheRest)
   }
 }
 
+/** So near to a plane or line that only exact numbers tell the side. */
+constexpr double Tiny = 1e-100;
+
+TEST(ExactVertices, AVertexThatLeavesAPlaneIsNoLongerCoplanarWithTheOthersThere)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } };
+  WorkBudget work;
+  ExactVertices exact(points, work);
+  const Id third = exact.AddBetween(0, 1, DyadicNumber(2), DyadicNumber(1), { { 0, 1, 1 } });
+  const Id other = exact.Add({ { 0.25, 0.5, 0 } });
+  ASSERT_FALSE(exact.IsDouble(third));
+  const auto expectSide = [&](int side)
+  {
+    EXPECT_EQ(exact.Orient(third, 3, 2, other), side);
+    EXPECT_EQ(exact.Orient(3, third, 2, other), -side);
+  };
+  expectSide(0);
+  expectSide(0);
+  exact.StartJournal();
+  exact.MoveTo(other, { { 0.25, 0.5, Tiny } });
+  expectSide(1);
+  exact.MoveTo(other, { { 0.25, 0.5, 0 } });
+  expectSide(0);
+  exact.MoveTo(other, { { 0.25, 0.5, -Tiny } });
+  expectSide(-1);
+  exact.GoBack();
+  expectSide(0);
+  exact.RemoveLast();
+  EXPECT_EQ(exact.Add({ { 0.25, 0.5, Tiny } }), other);
+  expectSide(1);
+}
+
+TEST(ExactVertices, AVertexThatLeavesALineIsNoLongerCoplanarWithAllOthers)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  WorkBudget work;
+  ExactVertices exact(points, work);
+  const Id third = exact.AddBetween(0, 1, DyadicNumber(2), DyadicNumber(1), { { 0, 1, 1 } });
+  const Id other = exact.Add({ { 0.25, 0, 0 } });
+  EXPECT_EQ(exact.Orient(0, third, other, 2), 0);
+  EXPECT_EQ(exact.Orient(other, 3, 0, third), 0);
+  exact.MoveTo(other, { { 0.25, -Tiny, -Tiny } });
+  EXPECT_EQ(exact.Orient(0, third, 2, other), -1);
+  EXPECT_EQ(exact.Orient(0, third, 3, other), 1);
+}
+
 TEST(ExactVertices, OrientIsTheSignOfTheDeterminantOfPointsOnEdgesAndPlanesAndBesideThem)
 {
   for (unsigned seed = 1; seed <= 20; ++seed)
