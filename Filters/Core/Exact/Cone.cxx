@@ -7,21 +7,6 @@
 
 namespace insideout
 {
-void Cone::Start(const FlippableMesh& mesh)
-{
-  this->Cells.clear();
-  this->Inside.Start(mesh.NumberOfCells());
-}
-
-void Cone::Add(Id cell)
-{
-  if (!this->Inside.Has(cell))
-  {
-    this->Inside.Add(cell);
-    this->Cells.push_back(cell);
-  }
-}
-
 bool Cone::HasEdge(Id u, Id v) const
 {
   return std::binary_search(this->WallEdges.begin(), this->WallEdges.end(),
@@ -64,8 +49,8 @@ bool Cone::Make(
   this->WallEdges.clear();
   this->SurfaceFaces.clear();
   const auto isWall = [&](const FlippableCell& cell, int at, int k)
-  { return (at < 0 || at == k) && !this->Inside.Has(cell.Neighbors[k]); };
-  for (const Id id : this->Cells)
+  { return (at < 0 || at == k) && !this->Old.Has(cell.Neighbors[k]); };
+  for (const Id id : this->Old.Cells())
   {
     const FlippableCell& cell = mesh.Cell(id);
     const int atGone = CornerIndexIn(cell.Corners, gone);
@@ -93,7 +78,7 @@ bool Cone::Make(
   }
   SortUniquely(this->WallCorners);
   SortUniquely(this->WallEdges);
-  for (const Id id : this->Cells)
+  for (const Id id : this->Old.Cells())
   {
     const FlippableCell& cell = mesh.Cell(id);
     if (!this->Keeps(cell.Corners, centre, segments))
@@ -104,8 +89,7 @@ bool Cone::Make(
     const int at = CornerIndexIn(cell.Corners, centre);
     for (int k = 0; k < 4; ++k)
     {
-      const bool isHull =
-        !this->Inside.Has(cell.Neighbors[k]) && mesh.IsInfinite(cell.Neighbors[k]);
+      const bool isHull = !this->Old.Has(cell.Neighbors[k]) && mesh.IsInfinite(cell.Neighbors[k]);
       if (isWall(cell, atGone, k) || (cell.Facets[k] == None && !isHull))
       {
         continue;

@@ -3,6 +3,7 @@
 
 #include "Exact/FlippableMesh.h"
 #include "Exact/SegmentTable.h"
+#include "Mesh/CellSet.h"
 
 #include <array>
 #include <vector>
@@ -15,15 +16,8 @@ namespace insideout
  */
 struct Cone
 {
-  std::vector<Id> Cells; ///< that give way
-  CellMarks Inside;      ///< these
+  CellSet Old; ///< the cells that give way
   std::vector<Tetrahedron> Fresh;
-
-  /** Begin with no cell. */
-  void Start(const FlippableMesh& mesh);
-
-  /** Add a cell that may be there already. */
-  void Add(Id cell);
 
   /**
    * Make the new cells, and check whether every vertex, facet and segment stays. The center is the

@@ -73,6 +73,7 @@ FlippableMesh::FlippableMesh(
   {
     this->AppendVertex(0);
   }
+  CheckNumber(delaunay.tds().number_of_cells());
   std::vector<Delaunay::Cell_handle> cells;
   cells.reserve(delaunay.tds().number_of_cells());
   for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)

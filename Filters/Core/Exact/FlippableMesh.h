@@ -15,6 +15,7 @@ struct HullPolicy
   {
   };
   static constexpr bool HasBoundary = false;
+  static constexpr std::size_t MostCells = MostNumberedCells;
 };
 
 using FlippableCell = MeshCell<HullPolicy::Content>;
@@ -33,7 +34,7 @@ public:
    * The Delaunay tetrahedralization of points that span space.
    * @param[out] same for each point the first coincident one: the vertex that represents it
    * @param[in] work counts the work on the mesh; it has to live as long as the mesh
-   * @throws Error Planar, Stopped
+   * @throws Error Planar, TooLarge, Stopped
    */
   FlippableMesh(
     const std::vector<Point>& points, std::vector<Id>& same, WorkBudget& work, Monitor& monitor);

@@ -44,23 +44,23 @@ bool Grow(const FlippableMesh& mesh, Cone& cone, Id point, Id apex)
   {
     return false;
   }
-  cone.Start(mesh);
+  cone.Old.Start(mesh.NumberOfCells());
   for (const Id cell : star)
   {
     if (!mesh.IsInfinite(cell))
     {
-      cone.Add(cell);
+      cone.Old.Add(cell);
     }
   }
-  for (std::size_t next = 0; next < cone.Cells.size(); ++next)
+  for (std::size_t next = 0; next < cone.Old.Cells().size(); ++next)
   {
-    const FlippableCell& cell = mesh.Cell(cone.Cells[next]);
+    const FlippableCell& cell = mesh.Cell(cone.Old.Cells()[next]);
     const int atPoint = CornerIndexIn(cell.Corners, point);
     const int atApex = CornerIndexIn(cell.Corners, apex);
     for (int k = 0; k < 4; ++k)
     {
       if ((atPoint >= 0 && atPoint != k) || (atApex >= 0 && atApex != k) ||
-        cone.Inside.Has(cell.Neighbors[k]))
+        cone.Old.Has(cell.Neighbors[k]))
       {
         continue;
       }
@@ -71,11 +71,11 @@ bool Grow(const FlippableMesh& mesh, Cone& cone, Id point, Id apex)
         continue;
       }
       if (cell.Facets[k] != None || mesh.IsInfinite(cell.Neighbors[k]) ||
-        cone.Cells.size() == LargestCavity)
+        cone.Old.Cells().size() == LargestCavity)
       {
         return false;
       }
-      cone.Add(cell.Neighbors[k]);
+      cone.Old.Add(cell.Neighbors[k]);
     }
   }
   return true;
@@ -96,7 +96,7 @@ bool MovePoint(ExactState& state, Id point, const Point& place)
   mesh.RemoveLastVertex();
   if (canMove)
   {
-    mesh.Replace(cone.Cells, cone.Fresh);
+    mesh.Replace(cone.Old.Cells(), cone.Fresh);
     mesh.MoveVertex(point, place);
     cone.MarkSurface(mesh, point);
   }
@@ -111,7 +111,7 @@ bool CollapsePoint(ExactState& state, Id point, Id neighbor)
   {
     return false;
   }
-  state.Mesh.Replace(cone.Cells, cone.Fresh);
+  state.Mesh.Replace(cone.Old.Cells(), cone.Fresh);
   return true;
 }
 } // namespace insideout

@@ -29,8 +29,8 @@ bool AddCrossed(ExactState& state, Id apex, Id other)
       {
         return false;
       }
-      cone.Add(crossing.Cell);
-      cone.Add(cell.Neighbors[crossing.Face]);
+      cone.Old.Add(crossing.Cell);
+      cone.Old.Add(cell.Neighbors[crossing.Face]);
       continue;
     }
     mesh.Ring(crossing.U, crossing.V, crossing.Cell, ring);
@@ -38,7 +38,7 @@ bool AddCrossed(ExactState& state, Id apex, Id other)
     {
       return false;
     }
-    std::for_each(ring.Cells.begin(), ring.Cells.end(), [&cone](Id cell) { cone.Add(cell); });
+    std::for_each(ring.Cells.begin(), ring.Cells.end(), [&cone](Id cell) { cone.Old.Add(cell); });
   }
   return crossing.Kind == Crossing::AtEnd;
 }
@@ -73,9 +73,9 @@ bool IsOnHullFace(const FlippableMesh& mesh, Id cell, Id apex)
 /** Add the cells behind faces that do not see the apex. */
 bool Grow(const FlippableMesh& mesh, Cone& cone, Id apex)
 {
-  for (std::size_t next = 0; next < cone.Cells.size(); ++next)
+  for (std::size_t next = 0; next < cone.Old.Cells().size(); ++next)
   {
-    const Id id = cone.Cells[next];
+    const Id id = cone.Old.Cells()[next];
     if (!IsOnHullFace(mesh, id, apex))
     {
       return false;
@@ -84,7 +84,7 @@ bool Grow(const FlippableMesh& mesh, Cone& cone, Id apex)
     const int at = mesh.CornerIndex(id, apex);
     for (int k = 0; k < 4; ++k)
     {
-      if ((at >= 0 && at != k) || cone.Inside.Has(cell.Neighbors[k]))
+      if ((at >= 0 && at != k) || cone.Old.Has(cell.Neighbors[k]))
       {
         continue;
       }
@@ -96,7 +96,7 @@ bool Grow(const FlippableMesh& mesh, Cone& cone, Id apex)
         {
           return false;
         }
-        cone.Add(cell.Neighbors[k]);
+        cone.Old.Add(cell.Neighbors[k]);
       }
     }
   }
@@ -108,14 +108,14 @@ bool PullVertex(ExactState& state, Id apex, Id other)
 {
   FlippableMesh& mesh = state.Mesh;
   Cone& cone = state.Scratch.Moved;
-  cone.Start(mesh);
+  cone.Old.Start(mesh.NumberOfCells());
   const bool isCone = AddCrossed(state, apex, other) && Grow(mesh, cone, apex);
-  mesh.Work().Spend(static_cast<std::int64_t>(cone.Cells.size()));
+  mesh.Work().Spend(static_cast<std::int64_t>(cone.Old.Cells().size()));
   if (!isCone || !cone.Make(mesh, state.Segments, apex, apex))
   {
     return false;
   }
-  mesh.Replace(cone.Cells, cone.Fresh);
+  mesh.Replace(cone.Old.Cells(), cone.Fresh);
   cone.MarkSurface(mesh, apex);
   return true;
 }

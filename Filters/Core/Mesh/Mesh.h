@@ -7,6 +7,7 @@
 #include "Mesh/PendingFaces.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace insideout
@@ -16,7 +17,8 @@ namespace insideout
  * operation that all changes consist of, replacing some cells by others. It stores no coordinates.
  *
  * @tparam Policy has a type Content (a cell's additional data) and HasBoundary: whether faces may
- * lack a second cell; if not, the outside of the hull consists of cells, too
+ * lack a second cell; if not, the outside of the hull consists of cells, too; and MostCells, the
+ * limit of their number
  */
 template <class Policy>
 class Mesh
@@ -135,9 +137,24 @@ protected:
     this->ChangeAround.push_back(changes);
   }
 
-  /** A cell with its neighbors' ids. */
+  /** @throws Error TooLarge if `cells` are more than a mesh can have */
+  static void CheckNumber(std::size_t cells)
+  {
+    if (cells > Policy::MostCells)
+    {
+      throw Error(ErrorCode::TooLarge,
+        "a mesh of " + std::to_string(cells) + " cells is larger than the " +
+          std::to_string(Policy::MostCells) + " that ids of 32 bits allow");
+    }
+  }
+
+  /**
+   * A cell with its neighbors' ids.
+   * @throws Error TooLarge
+   */
   void AppendCell(const CellType& cell)
   {
+    CheckNumber(this->Cells.size() + 1);
     this->Cells.push_back(cell);
     this->EnterAtCorners(this->NumberOfCells() - 1);
   }
@@ -166,7 +183,7 @@ protected:
    * their facets; inner faces have none, unless given.
    * @param[in] contentOf called with the number of a fresh cell and its id
    * @throws Error Inconsistent, leaving the mesh unchanged, if old cells do not exist or the fresh
-   * ones have another boundary
+   * ones have another boundary; likewise TooLarge
    */
   template <class ContentOf>
   void Replace(const Replacement& exchange, const ContentOf& contentOf, Workspace& work);
@@ -367,6 +384,8 @@ void Mesh<Policy>::NumberFresh(const Replacement& exchange, Workspace& work) con
   {
     work.FreshCells.push_back(id);
   }
+  CheckNumber(
+    this->Cells.size() + count - std::min(count, exchange.Old.size() + work.FreeCells.size()));
 }
 
 /** Connect face k of a fresh cell with its entry. @return false if it is the first */

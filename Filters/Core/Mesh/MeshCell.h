@@ -3,11 +3,15 @@
 
 #include "Common/Types.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace insideout
 {
+/** The limit of a mesh's cells: faces are numbered, as 4 * cell + face, in Ids. */
+constexpr std::size_t MostNumberedCells = std::size_t(1) << 29;
+
 /** A tetrahedron of a Mesh. Neighbor k and facet k are opposite to corner k. */
 template <class Content>
 struct MeshCell : Content

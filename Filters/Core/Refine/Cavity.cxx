@@ -18,25 +18,15 @@ double SquaredDistance(const Point& a, const Point& b)
 void Cavity::Start(const Point& place)
 {
   this->Place = place;
-  this->AllCells.clear();
-  this->Mesh.Marks().Start(this->Mesh.NumberOfCells());
-}
-
-void Cavity::Add(Id cell)
-{
-  if (!this->Has(cell))
-  {
-    this->Mesh.Marks().Add(cell);
-    this->AllCells.push_back(cell);
-  }
+  this->Old.Start(this->Mesh.NumberOfCells());
 }
 
 void Cavity::Grow(std::size_t most)
 {
-  for (std::size_t next = 0; next < this->AllCells.size() && this->AllCells.size() < most; ++next)
+  for (std::size_t next = 0; next < this->Cells().size() && this->Cells().size() < most; ++next)
   {
-    const RefinableCell& here = this->Mesh.Cell(this->AllCells[next]);
-    for (int k = 0; k < 4 && this->AllCells.size() < most; ++k)
+    const RefinableCell& here = this->Mesh.Cell(this->Cells()[next]);
+    for (int k = 0; k < 4 && this->Cells().size() < most; ++k)
     {
       const Id neighbor = here.Neighbors[k];
       if (here.Facets[k] == None && !this->Has(neighbor))
@@ -61,7 +51,7 @@ bool Cavity::KeepsItsPoints() const
     corners.insert(corners.end(), wall.begin(), wall.end());
   }
   std::sort(corners.begin(), corners.end());
-  return std::all_of(this->AllCells.begin(), this->AllCells.end(),
+  return std::all_of(this->Cells().begin(), this->Cells().end(),
     [&](Id cell)
     {
       const Tetrahedron& t = this->Mesh.Cell(cell).Corners;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Mesh/CellSet.h"
 #include "Refine/RefinableMesh.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace insideout
 /**
  * The cells that are replaced by those between a place and the walls around them (Bowyer 1981,
  * Watson 1981): cells whose circumsphere contains the place, restricted to those whose walls it
- * sees. They are marked in the mesh.
+ * sees.
  */
 class Cavity
 {
@@ -24,10 +25,10 @@ public:
   /** Start with no cells. */
   void Start(const Point& place);
 
-  /** Add a cell that is not in the cavity yet. */
-  void Add(Id cell);
+  /** Add a cell that may be there already. */
+  void Add(Id cell) { this->Old.Add(cell); }
 
-  bool Has(Id cell) const { return this->Mesh.Marks().Has(cell); }
+  bool Has(Id cell) const { return this->Old.Has(cell); }
 
   /**
    * Add the cells whose circumsphere contains the place, breadth-first up to facets.
@@ -36,15 +37,15 @@ public:
   void Grow(std::size_t most);
 
   /**
-   * Collect the walls, and unmark the cells with walls that the place does not see.
+   * Collect the walls, and leave out the cells with walls that the place does not see.
    * @param[in] isOpen for (cell, k) of a face with a facet, whether the facet is removed
    * @param[in] isSeen whether a wall is seen
-   * @return whether any was unmarked: then call KeepConnected
+   * @return whether any was left out: then call KeepConnected
    */
   template <class IsOpen, class IsSeen>
   bool CollectWalls(const IsOpen& isOpen, const IsSeen& isSeen);
 
-  /** Remove the unmarked cells, and those not connected with `seeds`. */
+  /** Keep only cells that are connected with `seeds`. */
   template <class IsOpen>
   void KeepConnected(const std::vector<Id>& seeds, const IsOpen& isOpen);
 
@@ -54,7 +55,7 @@ public:
   /** The squared distance of the nearest corner. */
   double SquaredSpacing() const;
 
-  const std::vector<Id>& Cells() const { return this->AllCells; }
+  const std::vector<Id>& Cells() const { return this->Old.Cells(); }
 
   std::vector<Triangle> Walls;  ///< counter-clockwise seen from within
   std::vector<Id> CellsOfWalls; ///< on their inner sides
@@ -62,7 +63,7 @@ public:
 
 private:
   const RefinableMesh& Mesh;
-  std::vector<Id> AllCells;
+  CellSet Old;
 };
 
 double SquaredDistance(const Point& a, const Point& b);
@@ -73,7 +74,7 @@ bool Cavity::CollectWalls(const IsOpen& isOpen, const IsSeen& isSeen)
   bool isChanged = false;
   this->Walls.clear();
   this->CellsOfWalls.clear();
-  for (const Id cell : this->AllCells)
+  for (const Id cell : this->Cells())
   {
     const RefinableCell& here = this->Mesh.Cell(cell);
     for (int k = 0; k < 4 && this->Has(cell); ++k)
@@ -90,7 +91,7 @@ bool Cavity::CollectWalls(const IsOpen& isOpen, const IsSeen& isSeen)
       }
       else
       {
-        this->Mesh.Marks().Remove(cell);
+        this->Old.Unmark(cell);
         isChanged = true;
       }
     }
@@ -106,7 +107,7 @@ void Cavity::KeepConnected(const std::vector<Id>& seeds, const IsOpen& isOpen)
   {
     if (cell != None && this->Has(cell))
     {
-      this->Mesh.Marks().Remove(cell);
+      this->Old.Unmark(cell);
       reached.push_back(cell);
     }
   };

@@ -16,6 +16,7 @@ struct SolidPolicy
     Id Version; ///< number of times that a cell of this id has been replaced
   };
   static constexpr bool HasBoundary = true;
+  static constexpr std::size_t MostCells = MostNumberedCells;
 };
 
 using RefinableCell = MeshCell<SolidPolicy::Content>;

@@ -4,10 +4,10 @@
 #include "Common/JobsAtOnce.h"
 #include "Common/Stages.h"
 #include "Common/Team.h"
+#include "Mesh/MeshCell.h"
 #include "Tetrahedralize/PartsApart.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace insideout
 {
@@ -119,14 +119,12 @@ void Append(const Part& part, const TetrahedralMesh& mesh, TetrahedralMesh& whol
 
 void CheckSize(const std::vector<Tetrahedralization>& results)
 {
-  std::size_t points = 0;
   std::size_t cells = 0;
   for (const Tetrahedralization& result : results)
   {
-    points += result.Mesh.Points.size();
     cells += result.Mesh.Cells.size();
   }
-  if (std::max(points, cells) > static_cast<std::size_t>(std::numeric_limits<Id>::max()))
+  if (cells > MostNumberedCells)
   {
     throw Error(ErrorCode::TooLarge,
       "the parts have " + std::to_string(cells) + " cells together, too many for one mesh");

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/Mesh.h"
 
-#include "Exact/EdgeSearch.h"
+#include "Exact/FlippableMesh.h"
+#include "Mesh/CellSet.h"
 #include "Mesh/RingTriangulation.h"
+#include "Refine/RefinableMesh.h"
 
 #include <gtest/gtest.h>
 
@@ -15,25 +17,6 @@ using namespace insideout;
 
 namespace
 {
-/** Faces have two cells: those beyond the hull have a vertex at infinity. */
-struct ClosedPolicy
-{
-  struct Content
-  {
-  };
-  static constexpr bool HasBoundary = false;
-};
-
-/** Faces of the boundary have one cell, and each cell has a region. */
-struct OpenPolicy
-{
-  struct Content
-  {
-    Id Region;
-  };
-  static constexpr bool HasBoundary = true;
-};
-
 /** A ball of cells around vertex 0; where it is closed, with a vertex at infinity, the last. */
 template <class Policy>
 class SomeMesh : public Mesh<Policy>
@@ -210,7 +193,8 @@ template <class Policy>
 class MeshLaws : public testing::Test
 {
 };
-using Policies = testing::Types<ClosedPolicy, OpenPolicy>;
+/** Those of the exact engine and of refinement. */
+using Policies = testing::Types<HullPolicy, SolidPolicy>;
 TYPED_TEST_SUITE(MeshLaws, Policies);
 } // namespace
 
@@ -399,7 +383,7 @@ TYPED_TEST(MeshLaws, AFaceAtAnEdgeThatIsAPieceOfAFacetLocksItsRing)
 
 TEST(MeshWithBoundary, ACellMayGoFromItWithItsPieces)
 {
-  SomeMesh<OpenPolicy> mesh;
+  SomeMesh<SolidPolicy> mesh;
   const Id cell = mesh.StarOf(0)[0];
   const Tetrahedron t = mesh.Cell(cell).Corners;
   const Triangle outer = SortedTriangle(mesh.FaceCorners(cell, 0)).Points;
@@ -417,6 +401,53 @@ TEST(MeshWithBoundary, ACellMayGoFromItWithItsPieces)
   EXPECT_TRUE(std::set<Id>(ring.EndFacets.begin(), ring.EndFacets.end()) == (std::set<Id>{ 2, 3 }));
 }
 
+namespace
+{
+/** As many cells as the ball of a mesh with a boundary. */
+struct SmallPolicy : SolidPolicy
+{
+  static constexpr std::size_t MostCells = 8;
+};
+} // namespace
+
+TEST(MeshOfManyCells, RefusesMoreThanItCanNumberAndStaysAsItWas)
+{
+  SomeMesh<SmallPolicy> mesh;
+  const std::vector<Id> star = mesh.StarOf(0);
+  std::vector<Tetrahedron> around;
+  for (const Id cell : star)
+  {
+    around.push_back(mesh.Cell(cell).Corners);
+  }
+  mesh.Change(star, around);
+  ExpectLaws(mesh);
+  const auto addPoint = [](auto& some)
+  {
+    const Id cell = some.StarOf(0)[0];
+    std::vector<Tetrahedron> four(4, some.Cell(cell).Corners);
+    for (int k = 0; k < 4; ++k)
+    {
+      four[k][k] = 7;
+    }
+    some.Change({ cell }, four);
+  };
+  const auto before = ReadAll(mesh);
+  try
+  {
+    addPoint(mesh);
+    ADD_FAILURE();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::TooLarge);
+    EXPECT_STREQ(error.what(), "a mesh of 11 cells is larger than the 8 that ids of 32 bits allow");
+  }
+  EXPECT_EQ(ReadAll(mesh), before);
+  SomeMesh<SolidPolicy> larger;
+  addPoint(larger);
+  ExpectLaws(larger);
+}
+
 TEST(CellMarks, AreForOneSearchOnly)
 {
   CellMarks marks;
@@ -430,6 +461,23 @@ TEST(CellMarks, AreForOneSearchOnly)
   marks.Start(9);
   EXPECT_FALSE(marks.Has(1));
   EXPECT_FALSE(marks.Has(8));
+}
+
+TEST(CellSet, ListsEachCellOnceAndWhatWasUnmarkedUntilItStartsAgain)
+{
+  CellSet cells;
+  cells.Start(9);
+  for (const Id cell : { 7, 2, 7, 4, 2 })
+  {
+    cells.Add(cell);
+  }
+  EXPECT_EQ(cells.Cells(), (std::vector<Id>{ 7, 2, 4 }));
+  cells.Unmark(2);
+  EXPECT_FALSE(cells.Has(2));
+  EXPECT_EQ(cells.Cells().size(), 3u);
+  cells.Start(9);
+  EXPECT_TRUE(cells.Cells().empty());
+  EXPECT_FALSE(cells.Has(7));
 }
 
 TEST(PendingFaces, AreFoundByTheirCornersAndForgottenAtOnce)
