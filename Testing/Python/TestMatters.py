@@ -196,7 +196,7 @@ class DryRun(CommandLine):
             estimated = json.loads(run_here("mesh", ball, self.output, *more, "--dry-run", "--json").stdout)["estimate"]
             made = json.loads(run_here("mesh", ball, self.output, *more, "--json").stdout)["statistics"]
             cells = made.get("RefinedCells", made["InsideCells"])
-            self.assertLess(max(estimated["cells"] / cells, cells / estimated["cells"]), 5)
+            self.assertLess(max(estimated["cells"] / cells, cells / estimated["cells"]), 2.5)
 
     def test_layers_are_estimated_too(self):
         ball = self.file("ball.ply", surfaces.ball(1, 20, 20))

@@ -2,7 +2,8 @@
 """Estimates of the number of cells made from a surface, and of the time and memory.
 
 The constants are rounded from nine surfaces of 440 to 65,000 facets, with and without crossings, on two processors;
-estimates for these were within a factor of 2.5 in the number of cells, and of 4 in time.
+estimates for these were within a factor of 2.5 in the number of cells, and of 4 in time. Those of refined cells are from 40
+surfaces of 140 to 48,000 facets: 32 estimates within a factor of 2. Long thin triangles need up to four times as many cells.
 """
 
 from __future__ import annotations
@@ -16,12 +17,12 @@ from .vtkFiltersInsideOut import vtkBoundaryLayers, vtkRefineTetrahedra
 
 PIECES_OF_PAIR = 1.5  # additional facets per intersecting pair
 CELLS_OF_FACET = 2.0
-REFINED_CELLS_OF_FACET = 8.0
+REFINED_CELLS_OF_FACET = 4.5
 REFINED_CELLS_OF_CUBE = 6.0  # whose edges have the requested length
 TRIANGLES_OF_SQUARE = 2.3  # regular ones, whose edges have this length
 SIDES_OF_CUBE = 6.0  # the wall's area is estimated as that of a cube of the same volume
 
-SECONDS_OF_FACET, SECONDS_OF_PAIR, SECONDS_OF_REFINED_CELL = 20e-6, 300e-6, 25e-6
+SECONDS_OF_FACET, SECONDS_OF_PAIR, SECONDS_OF_REFINED_CELL = 20e-6, 300e-6, 15e-6
 MEBIBYTES_ANYWAY, MEBIBYTES_OF_CELL, MEBIBYTES_OF_REFINED_CELL = 100.0, 1e-3, 4e-4
 
 
