@@ -129,8 +129,15 @@ def wrong_by_gmsh(msh: Path) -> list[str]:
     return said + ([f"gmsh finds {refused} cells whose Jacobian determinant is not positive"] if refused else [])
 
 
+def are_in_line(points: np.ndarray) -> bool:
+    """Whether points are as near to a line as a hundredth of their extent."""
+    extents = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return len(extents) < 2 or extents[1] <= extents[0] / 100
+
+
 def supports(solid: insideout.Tetrahedra) -> np.ndarray:
-    """The lowest fifth of each part that faces connect: parts that touch in a point or an edge can turn about it."""
+    """The lowest fifth of each part that faces connect: parts that touch in a point or an edge can turn about it. More
+    points where these are on a line: a box that stands on an edge can turn about it."""
     cells, z = solid.cells[:, :4], solid.points[:, 2]
     faces = np.sort(cells[:, [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]]].reshape(-1, 3), axis=1)
     _, numbers = np.unique(faces, axis=0, return_inverse=True)
@@ -142,8 +149,12 @@ def supports(solid: insideout.Tetrahedra) -> np.ndarray:
     held = []
     for k in range(count):
         points = np.unique(solid.cells[part == k])
-        low, high = z[points].min(), z[points].max()
-        held.append(points[z[points] <= low + (high - low) / 5])
+        points = points[np.argsort(z[points], kind="stable")]
+        low, high = z[points[[0, -1]]]
+        number = int(np.sum(z[points] <= low + (high - low) / 5))
+        while number < len(points) and are_in_line(solid.points[points[:number]]):
+            number += 1
+        held.append(points[:number])
     return np.unique(np.concatenate(held))
 
 

@@ -314,6 +314,11 @@ class Judge(CommandLine):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertIn("mm: gmsh and the analyses find something wrong with 0 solids", done.stdout)
 
+    def test_it_holds_a_box_that_stands_on_a_corner(self):
+        box = self.file("box.ply", surfaces.turned_boxes(0)[0])
+        done = subprocess.run([sys.executable, self.PROGRAM, box, "--analyses", "1"], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_shares_are_of_the_surfaces_given(self):
         boxes = [self.file(f"{name}.ply", surfaces.box()) for name in "abc"]
         done = subprocess.run([sys.executable, self.PROGRAM, *boxes, "--share", "2/2"], capture_output=True, text=True, check=False)
