@@ -29,7 +29,7 @@
  * SecondsRefine. If the surface is not kept: SurfacePoints (points added on it) and KeptFacets
  * (facets left unchanged because they cross others). If it is remeshed: SurfaceTolerance and, by
  * samples, SurfaceDistance (of the new surface from the old) and InputDistance (of the old one from
- * the new).
+ * the new). If needles are removed from a kept surface: MendedNeedles, and SurfaceTolerance.
  *
  * The statistics include the quality of the cells by the names of vtkSolidQuality, from
  * MinDihedralAngle to SurfaceEdgesUnder5Degrees, RefusedCells and PoorCells; and the quality of the
@@ -127,11 +127,13 @@ public:
    * SPLIT: they are divided, so that long and thin ones do not make thin cells. REMESHED: they are
    * replaced, within SurfaceTolerance, by triangles of the requested edge length. AUTOMATIC:
    * REMESHED if EdgeLength, SizeRules or SizingArrayName is given, else KEPT. Default AUTOMATIC. If
-   * needles of a surface kept so leave cells that a solver refuses, AUTOMATIC takes REMESHED if
-   * that helps, with a warning, but not with several tags or regions. SPLIT keeps all points; the
+   * a surface kept so leaves cells that a solver refuses, AUTOMATIC removes its needles lower than
+   * a millionth of the longest edge of its box. Areas by tag and volumes by region stay within a
+   * millionth. If needles still leave such cells, and there is one tag and region, it takes
+   * REMESHED. It does each if fewer cells are refused, with a warning. SPLIT keeps all points; the
    * pieces lie in the triangles' planes, within rounding, where coplanar triangles with the same
-   * cell data join. REMESHED keeps edges above FeatureAngle,
-   * and triangles whose replacement would touch another part of the boundary.
+   * cell data join. REMESHED keeps edges above FeatureAngle, and triangles whose replacement would
+   * touch another part of the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);

@@ -108,7 +108,7 @@ Refinement RefineSolid(const RefinementParameters& parameters, bool quadratic, S
   Refinement refinement = RefineGrid(solid.Grid, surfaces.Boundary, parameters, quadratic, monitor);
   solid.Grid = refinement.Grid;
   surfaces.Boundary = refinement.Boundary;
-  if (refinement.Treatment == SurfaceTreatment::Remeshed)
+  if (refinement.ChangesMasses)
   {
     refinement.Masses.resize(solid.Masses.size()); // the last regions may have no cell
     solid.Masses = refinement.Masses;

@@ -259,9 +259,9 @@ void MeasureMasses(
   result.Mass = MeasureMass(mesh, std::vector<unsigned char>(mesh.Cells.size(), 1));
 }
 
-double StatisticOf(const RefinedMesh& refined, const std::string& wanted)
+double StatisticOf(const Statistics& statistics, const std::string& wanted)
 {
-  for (const auto& [name, value] : refined.Statistics)
+  for (const auto& [name, value] : statistics)
   {
     if (name == wanted)
     {
@@ -348,7 +348,7 @@ std::string OtherEdgesThanRules(const RefinedMesh& refined, const RefinementPara
   {
     words << "half of the edges of the surface are shorter than " << middle
           << " times what SizeRules asks for, because it stays within SurfaceTolerance, "
-          << StatisticOf(refined, "SurfaceTolerance")
+          << StatisticOf(refined.Statistics, "SurfaceTolerance")
           << ", and keeps edges above FeatureAngle: larger ones make it coarser";
   }
   return words.str();
@@ -384,7 +384,7 @@ std::string OtherEdgesThanAsked(const RefinedMesh& refined, const RefinementPara
   const double middle = MedianOf(lengths);
   words << "EdgeLength is " << asked << ", and half of the edges of the surface are shorter than "
         << std::setprecision(3) << middle << ", because it stays within SurfaceTolerance, "
-        << StatisticOf(refined, "SurfaceTolerance")
+        << StatisticOf(refined.Statistics, "SurfaceTolerance")
         << ", and keeps edges above FeatureAngle: larger ones make it coarser";
   return middle < asked / MostTimes ? words.str() : std::string();
 }
@@ -400,17 +400,18 @@ void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameter
       warnings.push_back(words);
     }
   }
-  if (const double large = StatisticOf(refined, "CellsAboveMaximumVolume"); large > 0)
+  if (const double large = StatisticOf(refined.Statistics, "CellsAboveMaximumVolume"); large > 0)
   {
     warnings.push_back(TooLargeCells(large, refined.Cells.size(), parameters.Sizes.MaximumVolume));
   }
-  if (const double kept = StatisticOf(refined, "KeptFacets"); kept > 0)
+  if (const double kept = StatisticOf(refined.Statistics, "KeptFacets"); kept > 0)
   {
     warnings.push_back(std::to_string(static_cast<Id>(kept)) +
       " triangles of the surface stay as they are, since they cross others");
   }
-  const double distance = StatisticOf(refined, "InputDistance");
-  if (const double tolerance = StatisticOf(refined, "SurfaceTolerance"); distance > tolerance)
+  const double distance = StatisticOf(refined.Statistics, "InputDistance");
+  if (const double tolerance = StatisticOf(refined.Statistics, "SurfaceTolerance");
+      distance > tolerance)
   {
     std::ostringstream words;
     words << "a part of the surface is " << distance << " away from the remeshed one, farther than "
@@ -431,8 +432,8 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const std::vector<Id> regions = isKept ? SplitByBodies(ownRegions, grid) : ownRegions;
   const TetrahedralMesh mesh = ReadTetrahedra(grid);
   NameSizes(grid, boundary, parameters.Sizes);
-  const bool needsTags =
-    parameters.Surface == SurfaceTreatment::Remeshed || SizesNameTags(parameters.Sizes.Rules);
+  const bool needsTags = parameters.Surface == SurfaceTreatment::Remeshed ||
+    parameters.MendsSurface || SizesNameTags(parameters.Sizes.Rules);
   if (boundary && needsTags)
   {
     parameters.Labels = LabelsOf(mesh, ownRegions, boundary);
@@ -458,12 +459,14 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   CarryFaces(mesh, refined, "FacetMultiplicity", 0, grid, result.Grid);
   result.Grid->GetFieldData()->ShallowCopy(grid->GetFieldData());
   result.Boundary = boundary;
-  if (boundary && !isKept)
+  if (boundary && !parameters.KeepsSurface())
   {
-    result.Boundary = RefineBoundary(mesh, regions, refined, boundary, result.Warnings);
+    result.Boundary = RefineBoundary(mesh, ownRegions, refined, boundary, result.Warnings);
   }
 
-  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  result.ChangesMasses =
+    parameters.Surface == SurfaceTreatment::Remeshed || parameters.MendsSurface;
+  if (result.ChangesMasses)
   {
     MeasureMasses(refined, grid, boundary != nullptr, result);
   }
@@ -479,7 +482,7 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   {
     regionsNow.push_back(regions[refined.OriginalCells[c]]);
   }
-  result.Treatment = parameters.Surface;
+  result.LargestChange = refined.LargestChange;
   result.Fitness =
     FitnessForSolver(made.Points, made.Cells, made.Midpoints, {}, regionsNow, monitor, end);
   AppendFitness(result.Fitness, result.Statistics);
@@ -487,6 +490,19 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   WarnAbout(refined, parameters, result.Warnings);
   result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());
   return result;
+}
+
+/** Limit of the relative change of a tag's area and a region's volume by mending. */
+constexpr double LargestChangeByName = 1e-6;
+
+/** A message that another treatment was chosen than to keep the surface, and why. */
+std::string WordsOfTreatment(
+  const Refinement& kept, const std::string& treatment, const Refinement& treated)
+{
+  return "a solver would refuse " + std::to_string(kept.Fitness.RefusedCells) + " of " +
+    std::to_string(kept.Fitness.Cells) + " cells where the surface is kept" + treatment + " " +
+    std::to_string(treated.Fitness.RefusedCells) +
+    " are left; set SurfaceTreatment to Kept to leave it";
 }
 
 /** Whether there are several tags or regions: their areas and volumes are to stay. */
@@ -502,23 +518,39 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const RefinementParameters& given, bool quadratic, Monitor& monitor)
 {
   const Refinement kept = RefineAsGiven(grid, boundary, given, quadratic, monitor);
-  if (!given.TreatsNeedles || kept.Fitness.RefusedOnNeedles == 0 || HasSeveralNames(grid, boundary))
+  if (!given.TreatsNeedles || kept.Fitness.RefusedCells == 0)
   {
     return kept;
   }
+  Refinement best = kept;
   RefinementParameters other = given;
-  other.Surface = SurfaceTreatment::Remeshed; // split needles are needles still
-  Refinement remeshed = RefineAsGiven(grid, boundary, other, quadratic, monitor);
-  if (remeshed.Fitness.RefusedOnNeedles >= kept.Fitness.RefusedOnNeedles ||
-    remeshed.Fitness.RefusedCells >= kept.Fitness.RefusedCells)
+  other.MendsSurface = true;
+  Refinement mended = RefineAsGiven(grid, boundary, other, quadratic, monitor);
+  if (mended.Fitness.RefusedCells < kept.Fitness.RefusedCells &&
+    mended.LargestChange <= LargestChangeByName)
   {
-    return kept;
+    std::ostringstream words;
+    words << ": without " << StatisticOf(mended.Statistics, "MendedNeedles")
+          << " of its needles, which moves it by at most " << std::setprecision(3)
+          << StatisticOf(mended.Statistics, "SurfaceTolerance") << ",";
+    best = mended;
+    best.Warnings.push_back(WordsOfTreatment(kept, words.str(), best));
   }
-  remeshed.Warnings.push_back("a solver would refuse " + std::to_string(kept.Fitness.RefusedCells) +
-    " of " + std::to_string(kept.Fitness.Cells) + " cells where the surface is kept, " +
-    std::to_string(kept.Fitness.RefusedOnNeedles) +
-    " of them on its needles: it is remeshed, which leaves " +
-    std::to_string(remeshed.Fitness.RefusedCells) + "; set SurfaceTreatment to Kept to leave it");
-  return remeshed;
+  if (best.Fitness.RefusedOnNeedles > 0 && !HasSeveralNames(grid, boundary))
+  {
+    other.MendsSurface = false;
+    other.Surface = SurfaceTreatment::Remeshed; // split needles are needles still
+    Refinement remeshed = RefineAsGiven(grid, boundary, other, quadratic, monitor);
+    if (remeshed.Fitness.RefusedOnNeedles < best.Fitness.RefusedOnNeedles &&
+      remeshed.Fitness.RefusedCells < best.Fitness.RefusedCells)
+    {
+      best = remeshed;
+      best.Warnings.push_back(WordsOfTreatment(kept,
+        ", " + std::to_string(kept.Fitness.RefusedOnNeedles) +
+          " of them on its needles: it is remeshed, and",
+        best));
+    }
+  }
+  return best;
 }
 } // namespace vtkInsideOut

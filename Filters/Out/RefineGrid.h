@@ -21,9 +21,10 @@ struct Refinement
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkSmartPointer<vtkPolyData> Boundary;         ///< if one is given
-  std::vector<insideout::MassProperties> Masses; ///< of the regions, if the surface is remeshed
-  insideout::MassProperties Mass;                ///< of all, there
-  insideout::SurfaceTreatment Treatment;         ///< the one taken
+  bool ChangesMasses = false;                    ///< whether the surface may have moved
+  std::vector<insideout::MassProperties> Masses; ///< of the regions, if so
+  insideout::MassProperties Mass;                ///< of all, if so
+  double LargestChange = 0;                      ///< as in RefinedMesh
   insideout::SolverFitness Fitness;
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;

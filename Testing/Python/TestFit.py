@@ -102,8 +102,10 @@ class TheSameSolid(unittest.TestCase):
                 arrays = ["RegionId"] + ["BodyW"] * isinstance(surface, dict)
                 for array in arrays:
                     np.testing.assert_allclose(volumes_of(fit.solid, array), volumes_of(plain.solid, array), rtol=1e-11)
-                self.assertEqual(surfaces.points_of(fit.boundary).tolist(), surfaces.points_of(plain.boundary).tolist())
-                self.assertEqual(fit.boundary.triangles.tolist(), plain.boundary.triangles.tolist())
+                self.assertEqual(fit.statistics["RefusedCells"], 0)
+                kept = insideout.tetrahedralize(surface, refine=True, surface_treatment="kept", **options)
+                self.assertEqual(surfaces.points_of(kept.boundary).tolist(), surfaces.points_of(plain.boundary).tolist())
+                self.assertEqual(kept.boundary.triangles.tolist(), plain.boundary.triangles.tolist())
 
 
 class Default(CommandLine):
@@ -243,29 +245,43 @@ class Unfit(CommandLine):
         with self.assertWarnsRegex(insideout.Warning, r"refuses (\d+) of \1 cells.*: they would pass in a smaller unit \(by scale\)"):
             insideout.write(small, self.path("small.msh"))
 
-    def test_a_surface_whose_needle_a_solver_would_refuse_is_remeshed_and_told(self):
-        # A box from -1 to 1 with a needle within its upper side.
-        points = [*itertools.product((-1, 1), repeat=3), (-0.5, 0, 1), (0.5, 0, 1), (0, 1e-20, 1)]
+    def needle(self, height: float):
+        """A box from -1 to 1 with a needle within its upper side."""
+        points = [*itertools.product((-1, 1), repeat=3), (-0.5, 0, 1), (0.5, 0, 1), (0, height, 1)]
         around = [(1, 5, 8), (5, 9, 8), (5, 7, 9), (7, 10, 9), (7, 3, 10), (3, 8, 10), (3, 1, 8), (8, 9, 10)]
         sides = [(0, 2, 6, 4), (0, 4, 5, 1), (4, 6, 7, 5), (6, 2, 3, 7), (2, 0, 1, 3)]
-        needle = surfaces.polydata(points, [*around, *sides])
+        return surfaces.polydata(points, [*around, *sides])
+
+    def test_a_needle_that_a_solver_would_refuse_is_removed_and_told(self):
+        needle = self.needle(1e-20)
         kept = insideout.tetrahedralize(needle, refine=True, surface_treatment="kept")
         self.assertGreater(kept.statistics["RefusedCells"], 0)
         made = insideout.tetrahedralize(needle, refine=True)
         self.assertEqual(made.statistics["RefusedCells"], 0)
         self.assertAlmostEqual(made.volume, 8, 9)
-        told = r"a solver would refuse 1 of \d+ cells where the surface is kept, 1 of them on its needles: it is remeshed, which leaves 0"
+        self.assertEqual(len(made.boundary.triangles), len(kept.boundary.triangles))
+        told = r"a solver would refuse 1 of \d+ cells where the surface is kept: without 1 of its needles, which moves it by at most 2e-06, 0 are left"
         self.assertRegex(" ".join(made.warnings), told + "; set surface_treatment to kept")
-        # With several tags each keeps its area.
+        # Each of several tags keeps its area.
         surfaces.add_array(needle.GetCellData(), "Side", np.arange(needle.GetNumberOfCells(), dtype=np.int64) // 8)
         tagged = insideout.tetrahedralize(needle, refine=True, tag_array="Side")
-        self.assertGreater(tagged.statistics["RefusedCells"], 0)
+        self.assertEqual(tagged.statistics["RefusedCells"], 0)
+        expected = areas_by_tag(insideout.tetrahedralize(needle, refine=False, tag_array="Side"))
+        self.assertGreater(len(expected), 1)
+        found = areas_by_tag(tagged)
+        self.assertEqual(found.keys(), expected.keys())
+        np.testing.assert_allclose([found[tag] for tag in expected], list(expected.values()), rtol=1e-12)
         # Options that take a kept surface have it, and no advice of other treatments.
         fixed = insideout.tetrahedralize(needle, refine=True, merge_coplanar_pieces=True)
         self.assertGreater(fixed.statistics["RefusedCells"], 0)
         advice = " ".join(insideout.check_solid(fixed.solid).warnings)
         self.assertIn("which other options keep", advice)
         self.assertNotIn("remeshed", advice)
+
+    def test_a_surface_whose_wide_needle_a_solver_would_refuse_is_remeshed_and_told(self):
+        made = insideout.tetrahedralize(self.needle(1e-4), refine=True, scale=3e-6)
+        self.assertEqual(made.statistics["RefusedCells"], 0)
+        self.assertRegex(" ".join(made.warnings), r"where the surface is kept, \d+ of them on its needles: it is remeshed, and 0 are left; set")
 
     def test_needles_of_the_surface_are_told_and_gone_after_the_advice(self):
         needles = surfaces.joined(surfaces.box(), surfaces.box((0.1, 0, 1 - 1e-4)))

@@ -114,10 +114,11 @@ private:
 };
 } // namespace
 
-void ContractSmallSteps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
+Id ContractSmallSteps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
   double tolerance, Monitor& monitor, const ProgressRange& progress)
 {
   StepContraction contraction(mesh, surface, bound);
+  Id count = 0;
   for (int round = 0; round < MostRounds; ++round)
   {
     const std::vector<Step> steps = FindSteps(mesh, tolerance);
@@ -127,13 +128,50 @@ void ContractSmallSteps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceB
     {
       looked.Check(i);
       const auto [u, v] = steps[i].Ends;
-      isChanged |= contraction.Contract(u, v) || contraction.Contract(v, u) ||
-        contraction.MakeRoom(u) || contraction.MakeRoom(v);
+      const bool isContracted = contraction.Contract(u, v) || contraction.Contract(v, u);
+      count += isContracted ? 1 : 0;
+      isChanged |= isContracted || contraction.MakeRoom(u) || contraction.MakeRoom(v);
     }
     if (!isChanged)
     {
-      return;
+      break;
     }
   }
+  return count;
+}
+
+Id FlipCaps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound, double tolerance,
+  Monitor& monitor, const ProgressRange& progress)
+{
+  Reconnection reconnect(mesh, surface, bound);
+  const LoopProgress looked(monitor, progress, mesh.NumberOfCells());
+  Id count = 0;
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    looked.Check(cell);
+    for (int k = 0; k < 4 && !mesh.IsDead(cell); ++k)
+    {
+      if (mesh.Cell(cell).Neighbors[k] != None)
+      {
+        continue;
+      }
+      const Triangle face = FaceAcross(mesh.Cell(cell).Corners, k);
+      const std::array<Point, 3> t = CornersOf(mesh.Points, face);
+      int longest = 0;
+      for (int i = 1; i < 3; ++i)
+      {
+        longest =
+          Distance(t[i], t[(i + 1) % 3]) > Distance(t[longest], t[(longest + 1) % 3]) ? i : longest;
+      }
+      const double length = Distance(t[longest], t[(longest + 1) % 3]);
+      if (Length(NormalOf(t[0], t[1], t[2])) <= tolerance * length &&
+        reconnect.RemoveEdgeUnlessWorse(face[longest], face[(longest + 1) % 3], cell, 0))
+      {
+        ++count;
+        break; // the cell was replaced
+      }
+    }
+  }
+  return count;
 }
 } // namespace insideout

@@ -14,8 +14,19 @@ namespace insideout
  * as CAD produces, would stay and require triangles as small as itself along its whole length. The
  * points that others were contracted into are Fixed afterwards: ridges have to be found anew.
  *
+ * @return the number of contracted edges
  * @throws Error Stopped
  */
-void ContractSmallSteps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
+Id ContractSmallSteps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
   double tolerance, Monitor& monitor, const ProgressRange& progress);
+
+/**
+ * Flip the longest edges of pieces whose height is at most the tolerance, between pieces of one
+ * label and at no ridge: such a needle has no short edge that could be contracted.
+ *
+ * @return the number of flipped edges
+ * @throws Error Stopped
+ */
+Id FlipCaps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound, double tolerance,
+  Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

@@ -24,6 +24,7 @@
 #include <functional>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -146,6 +147,7 @@ struct SurfaceOfRun
   std::vector<FacetOfInput> Facets;
   std::vector<char> Locked; ///< facets that stay as they are
   double Tolerance;
+  Id MendedNeedles = 0; ///< contracted or flipped
 
   Id NumberOfLocked() const
   {
@@ -155,10 +157,10 @@ struct SurfaceOfRun
 
 /** Mark the facets with pieces on the boundary that cross others; none if the surface is kept. */
 std::vector<char> MarkCrossing(const RefinableMesh& mesh, const SurfaceOfRun& run,
-  SurfaceTreatment treatment, Monitor& monitor, double progress)
+  const RefinementParameters& parameters, Monitor& monitor, double progress)
 {
   std::vector<char> marks(run.Facets.size(), 0);
-  if (treatment != SurfaceTreatment::Kept)
+  if (!parameters.KeepsSurface())
   {
     for (const Id facet : CrossingFacets(mesh, monitor, { Stages::Refining, progress, progress }))
     {
@@ -183,10 +185,35 @@ void PutInPatches(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets)
   }
 }
 
+/** Remove small steps and needles of a surface that is otherwise kept. */
+void MendNeedles(RefinableMesh& mesh, SurfaceOfRun& run, Monitor& monitor)
+{
+  constexpr int mostRounds = 4; // a flipped edge may make room for a contraction
+  constexpr double noRidges = 180;
+  const ProgressRange progress = { Stages::Refining, 0, 0.05 };
+  SurfaceBound bound(mesh, run.Facets, SurfaceTreatment::Remeshed, run.Tolerance);
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    RefinableSurface surface(mesh, run.Facets, run.Locked, SurfaceTreatment::Remeshed, noRidges);
+    run.MendedNeedles += ContractSmallSteps(mesh, surface, bound, run.Tolerance, monitor, progress);
+    const Id flipped = FlipCaps(mesh, surface, bound, run.Tolerance, monitor, progress);
+    run.MendedNeedles += flipped;
+    if (flipped == 0)
+    {
+      return;
+    }
+  }
+}
+
 /** Refine the mesh; its surface is treated as requested, except for locked facets. */
-void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementParameters& parameters,
+void Run(RefinableMesh& refinable, SurfaceOfRun& run, const RefinementParameters& parameters,
   Monitor& monitor)
 {
+  run.MendedNeedles = 0;
+  if (parameters.MendsSurface)
+  {
+    MendNeedles(refinable, run, monitor);
+  }
   SurfaceBound bound(refinable, run.Facets, parameters.Surface, run.Tolerance);
   const auto surfaceNow = [&]
   {
@@ -229,7 +256,7 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
   SurfaceOfRun& run, const RefinementParameters& parameters, Monitor& monitor)
 {
   RefinableMesh refinable = MakeRefinable(mesh, regions, run.Facets);
-  run.Locked = MarkCrossing(refinable, run, parameters.Surface, monitor, 0);
+  run.Locked = MarkCrossing(refinable, run, parameters, monitor, 0);
   if (parameters.Surface == SurfaceTreatment::Split)
   {
     JoinCoplanar(mesh, run.Locked, run.Facets);
@@ -237,7 +264,7 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
   }
   Run(refinable, run, parameters, monitor);
   // SurfaceBound allows no crossings; this verifies it.
-  const std::vector<char> crossing = MarkCrossing(refinable, run, parameters.Surface, monitor, 0.9);
+  const std::vector<char> crossing = MarkCrossing(refinable, run, parameters, monitor, 0.9);
   if (!std::equal(crossing.begin(), crossing.end(), run.Locked.begin(), std::less_equal<>()))
   {
     run.Locked.assign(run.Facets.size(), 1); // their pieces are unchanged
@@ -263,6 +290,58 @@ void CompareSurfaces(
   statistics.emplace_back(
     "SurfaceDistance", LargestDistance(after, before, enough, monitor, atEnd));
   statistics.emplace_back("InputDistance", LargestDistance(before, after, enough, monitor, atEnd));
+}
+
+/** The largest relative difference of two sums of positive numbers by name. Names whose share in
+ * all is a rounding error do not count. */
+double LargestChange(const std::map<Id, double>& before, const std::map<Id, double>& after)
+{
+  constexpr double leastShare = 1e-9;
+  double all = 0;
+  for (const auto& [name, sum] : before)
+  {
+    all += sum;
+  }
+  double largest = 0;
+  for (const auto& [name, sum] : before)
+  {
+    const auto found = after.find(name);
+    const double change = std::abs((found == after.end() ? 0 : found->second) - sum);
+    largest = std::max(largest, change / std::max(sum, leastShare * all));
+  }
+  return largest;
+}
+
+/** The largest relative change of the area of a label, or of a region's volume. */
+double LargestChange(const TetrahedralMesh& before, const std::vector<Id>& regions,
+  const RefinableMesh& after, const SurfaceOfRun& run)
+{
+  std::array<std::map<Id, double>, 2> areas;
+  for (const FacetOfInput& facet : run.Facets)
+  {
+    const auto& [a, b, c] = facet.Corners;
+    areas[0][facet.Label] += Length(NormalOf(a, b, c));
+  }
+  for (const SurfacePiece& piece : PiecesOf(after))
+  {
+    areas[1][run.Facets[piece.Facet].Label] += Length(NormalOf(piece));
+  }
+  std::array<std::map<Id, double>, 2> volumes;
+  const auto volumeOf = [](const std::array<Point, 4>& c)
+  { return Determinant(Difference(c[1], c[0]), Difference(c[2], c[0]), Difference(c[3], c[0])); };
+  for (Id c = 0; c < before.NumberOfCells(); ++c)
+  {
+    volumes[0][regions.empty() ? 0 : regions[c]] +=
+      volumeOf(CornersOf(before.Points, before.Cells[c]));
+  }
+  for (Id c = 0; c < after.NumberOfCells(); ++c)
+  {
+    if (!after.IsDead(c))
+    {
+      volumes[1][after.Cell(c).Region] += volumeOf(CornersOf(after.Points, after.Cell(c).Corners));
+    }
+  }
+  return std::max(LargestChange(areas[0], areas[1]), LargestChange(volumes[0], volumes[1]));
 }
 
 Id CountSurfacePoints(const RefinableMesh& mesh, std::size_t before)
@@ -308,16 +387,18 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   const bool isSplit = given.Surface == SurfaceTreatment::Split;
   SurfaceOfRun run = { FacetsOf(mesh, regions, isSplit ? given.Attributes : given.Labels), {},
     given.SurfaceTolerance };
-  if (!(run.Tolerance > 0))
+  if (!(run.Tolerance > 0) || given.MendsSurface)
   {
     const Box box = BoundingBox(mesh.Points);
-    run.Tolerance = RefinementParameters::DefaultTolerance * box.Extent(box.LongestAxis());
+    run.Tolerance = (given.MendsSurface ? RefinementParameters::MendingTolerance
+                                        : RefinementParameters::DefaultTolerance) *
+      box.Extent(box.LongestAxis());
   }
   monitor.Check(Stages::Refining, 0);
   RefinementParameters parameters = given;
   parameters.Sizes = SizesByRules(mesh, regions, run.Facets, given, monitor);
   RefinableMesh refinable = RunWithoutCrossings(mesh, regions, run, parameters, monitor);
-  if (parameters.Surface != SurfaceTreatment::Kept)
+  if (!parameters.KeepsSurface())
   {
     FindNearestFacets(run.Facets, refinable, monitor, { Stages::Refining, 0.9, 0.9 });
   }
@@ -354,6 +435,12 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
     result.Statistics.emplace_back(
       "SurfacePoints", CountSurfacePoints(refinable, mesh.Points.size()));
     result.Statistics.emplace_back("KeptFacets", run.NumberOfLocked());
+  }
+  if (parameters.MendsSurface)
+  {
+    result.LargestChange = LargestChange(mesh, regions, refinable, run);
+    result.Statistics.emplace_back("MendedNeedles", run.MendedNeedles);
+    result.Statistics.emplace_back("SurfaceTolerance", run.Tolerance);
   }
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {

@@ -20,10 +20,23 @@ struct RefinementParameters
   bool CouldBeTreated = true;
 
   /**
-   * Kept: whether the caller chooses another treatment where needles leave cells that a solver
-   * refuses.
+   * Kept: whether the caller chooses another treatment where cells are left that a solver refuses.
    */
   bool TreatsNeedles = false;
+
+  /**
+   * Kept, but for needles of its triangles: edges that are shorter than MendingTolerance times the
+   * longest edge of the points' bounding box are contracted, and those opposite to as small heights
+   * flipped. The surface moves by no more, both ways.
+   */
+  bool MendsSurface = false;
+  static constexpr double MendingTolerance = 1e-6; // STL's decimals and floats are as coarse
+
+  /** Whether the surface stays bit by bit. */
+  bool KeepsSurface() const
+  {
+    return this->Surface == SurfaceTreatment::Kept && !this->MendsSurface;
+  }
 
   /** Limit of the estimated number of cells: beyond it nothing is refined; 0: no limit. */
   Id MaximumCells = 10000000;
@@ -37,8 +50,8 @@ struct RefinementParameters
    * tolerance; in degrees. */
   double FeatureAngle = 30;
 
-  /** For Remeshed and size rules, a label per face of each cell; edges between faces with different
-   * labels stay. Empty: all faces have the same number. */
+  /** For Remeshed, MendsSurface and size rules, a label per face of each cell; edges between faces
+   * with different labels stay. Empty: all faces have the same number. */
   std::vector<std::array<Id, 4>> Labels;
 
   /** The same for Split: coplanar faces with different numbers do not join. */
@@ -69,6 +82,9 @@ struct RefinedMesh
    */
   std::vector<double> LengthsByRules;
 
+  /** MendsSurface: the largest relative change of the area of a label, or of a region's volume. */
+  double LargestChange = 0;
+
   insideout::Statistics Statistics;
 };
 
@@ -81,7 +97,8 @@ struct RefinedMesh
  * Statistics: AddedPoints, RemovedPoints, and CellsAboveMaximumVolume if that is given. If the
  * surface is not kept: SurfacePoints, the added points on it, and KeptFacets, the facets that stay
  * because they cross others. If it is remeshed: SurfaceTolerance, SurfaceDistance, its largest
- * distance from the input's, and InputDistance, the reverse.
+ * distance from the input's, and InputDistance, the reverse. If it is mended: SurfaceTolerance and
+ * MendedNeedles, the edges that were contracted or flipped for them.
  *
  * @param[in] mesh of any solid; its facets do not matter
  * @param[in] regions one per cell; empty: all are one

@@ -135,3 +135,36 @@ TEST(SmallSteps, GoWhereTheirAreaIsARoundingErrorThoughTheyAreALabelOfTheirOwn)
   const RefinedMesh refined = Refined(block, RemeshedWithLabelOfStep(block));
   EXPECT_GT(ShortestEdge(refined), 10 * Tolerance);
 }
+
+TEST(SmallSteps, GoWhereTheSurfaceIsMendedAndTheRestStays)
+{
+  const TetrahedralMesh block = BlockWithStep(1e-7);
+  RefinementParameters parameters;
+  ASSERT_LT(ShortestEdge(Refined(block, parameters)), 1e-6);
+  parameters.MendsSurface = true;
+  const RefinedMesh refined = Refined(block, parameters);
+  ExpectRemeshingLaws(block, {}, refined, RefinementParameters::MendingTolerance * 100 * Size);
+  EXPECT_GT(ShortestEdge(refined), 1);
+  EXPECT_LT(refined.LargestChange, 1e-6);
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      for (const Id corner : FaceOf(refined.Cells[c], k))
+      {
+        EXPECT_TRUE(refined.OriginalFaces[c][k] == None || refined.OriginalPoints[corner] != None);
+      }
+    }
+  }
+}
+
+TEST(SmallSteps, ThatTakeALabelsAreaAlongAreTold)
+{
+  const TetrahedralMesh block = BlockWithStep(1e-5);
+  RefinementParameters parameters = RemeshedWithLabelOfStep(block);
+  parameters.Surface = SurfaceTreatment::Kept;
+  parameters.MendsSurface = true;
+  parameters.Sizes.EdgeLength = 0;
+  const RefinedMesh refined = Refined(block, parameters);
+  EXPECT_GT(refined.LargestChange, 0.1);
+}
