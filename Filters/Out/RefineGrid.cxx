@@ -526,13 +526,13 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   RefinementParameters other = given;
   other.MendsSurface = true;
   Refinement mended = RefineAsGiven(grid, boundary, other, quadratic, monitor);
-  if (mended.Fitness.RefusedCells < kept.Fitness.RefusedCells &&
+  const Id needles = static_cast<Id>(StatisticOf(mended.Statistics, "MendedNeedles"));
+  if (needles > 0 && mended.Fitness.RefusedCells < kept.Fitness.RefusedCells &&
     mended.LargestChange <= LargestChangeByName)
   {
     std::ostringstream words;
-    words << ": without " << StatisticOf(mended.Statistics, "MendedNeedles")
-          << " of its needles, which moves it by at most " << std::setprecision(3)
-          << StatisticOf(mended.Statistics, "SurfaceTolerance") << ",";
+    words << ": without " << needles << " of its needles, which moves it by at most "
+          << std::setprecision(3) << StatisticOf(mended.Statistics, "SurfaceTolerance") << ",";
     best = mended;
     best.Warnings.push_back(WordsOfTreatment(kept, words.str(), best));
   }

@@ -213,6 +213,10 @@ void Run(RefinableMesh& refinable, SurfaceOfRun& run, const RefinementParameters
   if (parameters.MendsSurface)
   {
     MendNeedles(refinable, run, monitor);
+    if (run.MendedNeedles == 0)
+    {
+      return; // the cells would be those of a kept surface
+    }
   }
   SurfaceBound bound(refinable, run.Facets, parameters.Surface, run.Tolerance);
   const auto surfaceNow = [&]

@@ -27,7 +27,8 @@ struct RefinementParameters
   /**
    * Kept, but for needles of its triangles: edges that are shorter than MendingTolerance times the
    * longest edge of the points' bounding box are contracted, and those opposite to as small heights
-   * flipped. The surface moves by no more, both ways.
+   * flipped. The surface moves by no more, both ways. If there are none (MendedNeedles is 0),
+   * nothing is refined.
    */
   bool MendsSurface = false;
   static constexpr double MendingTolerance = 1e-6; // STL's decimals and floats are as coarse

@@ -168,3 +168,13 @@ TEST(SmallSteps, ThatTakeALabelsAreaAlongAreTold)
   const RefinedMesh refined = Refined(block, parameters);
   EXPECT_GT(refined.LargestChange, 0.1);
 }
+
+TEST(SmallSteps, NothingIsRefinedWhereNoNeedleIsMended)
+{
+  const TetrahedralMesh block = BlockWithStep(1e-3);
+  RefinementParameters parameters;
+  parameters.MendsSurface = true;
+  const RefinedMesh refined = Refined(block, parameters);
+  EXPECT_EQ(refined.Cells.size(), block.Cells.size());
+  EXPECT_EQ(refined.LargestChange, 0);
+}
