@@ -278,6 +278,13 @@ class Unfit(CommandLine):
         self.assertIn("which other options keep", advice)
         self.assertNotIn("remeshed", advice)
 
+    def test_a_needle_with_a_tag_of_its_own_keeps_its_area(self):
+        needle = self.needle(1e-7)
+        surfaces.add_array(needle.GetCellData(), "Side", np.eye(1, needle.GetNumberOfCells(), 7, dtype=np.int64)[0])
+        made = insideout.tetrahedralize(needle, refine=True, scale=3e-6, tag_array="Side")
+        self.assertEqual(made.statistics["RefusedCells"], 1)
+        self.assertAlmostEqual(areas_by_tag(made)["1"] / 9e-12, 5e-8, 15)
+
     def test_a_surface_whose_wide_needle_a_solver_would_refuse_is_remeshed_and_told(self):
         made = insideout.tetrahedralize(self.needle(1e-4), refine=True, scale=3e-6)
         self.assertEqual(made.statistics["RefusedCells"], 0)

@@ -44,8 +44,8 @@ struct EdgeRing
 {
   Id U;
   Id V;
-  bool IsClosed;
-  bool IsLocked; ///< whether a face between two cells at the edge is a piece of a facet
+  bool IsClosed = false;
+  bool IsLocked = false; ///< whether a face between two cells at the edge is a piece of a facet
   std::vector<Id> Points;
   std::vector<Id> Cells;
   std::array<Id, 2> EndFacets; ///< at the first and the last point, if open

@@ -139,39 +139,4 @@ Id ContractSmallSteps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBou
   }
   return count;
 }
-
-Id FlipCaps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound, double tolerance,
-  Monitor& monitor, const ProgressRange& progress)
-{
-  Reconnection reconnect(mesh, surface, bound);
-  const LoopProgress looked(monitor, progress, mesh.NumberOfCells());
-  Id count = 0;
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-  {
-    looked.Check(cell);
-    for (int k = 0; k < 4 && !mesh.IsDead(cell); ++k)
-    {
-      if (mesh.Cell(cell).Neighbors[k] != None)
-      {
-        continue;
-      }
-      const Triangle face = FaceAcross(mesh.Cell(cell).Corners, k);
-      const std::array<Point, 3> t = CornersOf(mesh.Points, face);
-      int longest = 0;
-      for (int i = 1; i < 3; ++i)
-      {
-        longest =
-          Distance(t[i], t[(i + 1) % 3]) > Distance(t[longest], t[(longest + 1) % 3]) ? i : longest;
-      }
-      const double length = Distance(t[longest], t[(longest + 1) % 3]);
-      if (Length(NormalOf(t[0], t[1], t[2])) <= tolerance * length &&
-        reconnect.RemoveEdgeUnlessWorse(face[longest], face[(longest + 1) % 3], cell, 0))
-      {
-        ++count;
-        break; // the cell was replaced
-      }
-    }
-  }
-  return count;
-}
 } // namespace insideout

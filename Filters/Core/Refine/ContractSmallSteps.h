@@ -19,14 +19,4 @@ namespace insideout
  */
 Id ContractSmallSteps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
   double tolerance, Monitor& monitor, const ProgressRange& progress);
-
-/**
- * Flip the longest edges of pieces whose height is at most the tolerance, between pieces of one
- * label and at no ridge: such a needle has no short edge that could be contracted.
- *
- * @return the number of flipped edges
- * @throws Error Stopped
- */
-Id FlipCaps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound, double tolerance,
-  Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

@@ -14,6 +14,7 @@
 #include "Refine/JoinCoplanar.h"
 #include "Refine/LocateCells.h"
 #include "Refine/MakeRefinable.h"
+#include "Refine/MendNeedles.h"
 #include "Refine/RefinedSurface.h"
 #include "Refine/RemeshSurface.h"
 #include "Refine/SizesByRules.h"
@@ -24,7 +25,6 @@
 #include <functional>
 #include <iomanip>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <string>
 
@@ -185,34 +185,13 @@ void PutInPatches(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets)
   }
 }
 
-/** Remove small steps and needles of a surface that is otherwise kept. */
-void MendNeedles(RefinableMesh& mesh, SurfaceOfRun& run, Monitor& monitor)
-{
-  constexpr int mostRounds = 4; // a flipped edge may make room for a contraction
-  constexpr double noRidges = 180;
-  const ProgressRange progress = { Stages::Refining, 0, 0.05 };
-  SurfaceBound bound(mesh, run.Facets, SurfaceTreatment::Remeshed, run.Tolerance);
-  for (int round = 0; round < mostRounds; ++round)
-  {
-    RefinableSurface surface(mesh, run.Facets, run.Locked, SurfaceTreatment::Remeshed, noRidges);
-    run.MendedNeedles += ContractSmallSteps(mesh, surface, bound, run.Tolerance, monitor, progress);
-    const Id flipped = FlipCaps(mesh, surface, bound, run.Tolerance, monitor, progress);
-    run.MendedNeedles += flipped;
-    if (flipped == 0)
-    {
-      return;
-    }
-  }
-}
-
 /** Refine the mesh; its surface is treated as requested, except for locked facets. */
 void Run(RefinableMesh& refinable, SurfaceOfRun& run, const RefinementParameters& parameters,
   Monitor& monitor)
 {
-  run.MendedNeedles = 0;
   if (parameters.MendsSurface)
   {
-    MendNeedles(refinable, run, monitor);
+    run.MendedNeedles = MendNeedles(refinable, run.Facets, run.Locked, run.Tolerance, monitor);
     if (run.MendedNeedles == 0)
     {
       return; // the cells would be those of a kept surface
@@ -294,58 +273,6 @@ void CompareSurfaces(
   statistics.emplace_back(
     "SurfaceDistance", LargestDistance(after, before, enough, monitor, atEnd));
   statistics.emplace_back("InputDistance", LargestDistance(before, after, enough, monitor, atEnd));
-}
-
-/** The largest relative difference of two sums of positive numbers by name. Names whose share in
- * all is a rounding error do not count. */
-double LargestChange(const std::map<Id, double>& before, const std::map<Id, double>& after)
-{
-  constexpr double leastShare = 1e-9;
-  double all = 0;
-  for (const auto& [name, sum] : before)
-  {
-    all += sum;
-  }
-  double largest = 0;
-  for (const auto& [name, sum] : before)
-  {
-    const auto found = after.find(name);
-    const double change = std::abs((found == after.end() ? 0 : found->second) - sum);
-    largest = std::max(largest, change / std::max(sum, leastShare * all));
-  }
-  return largest;
-}
-
-/** The largest relative change of the area of a label, or of a region's volume. */
-double LargestChange(const TetrahedralMesh& before, const std::vector<Id>& regions,
-  const RefinableMesh& after, const SurfaceOfRun& run)
-{
-  std::array<std::map<Id, double>, 2> areas;
-  for (const FacetOfInput& facet : run.Facets)
-  {
-    const auto& [a, b, c] = facet.Corners;
-    areas[0][facet.Label] += Length(NormalOf(a, b, c));
-  }
-  for (const SurfacePiece& piece : PiecesOf(after))
-  {
-    areas[1][run.Facets[piece.Facet].Label] += Length(NormalOf(piece));
-  }
-  std::array<std::map<Id, double>, 2> volumes;
-  const auto volumeOf = [](const std::array<Point, 4>& c)
-  { return Determinant(Difference(c[1], c[0]), Difference(c[2], c[0]), Difference(c[3], c[0])); };
-  for (Id c = 0; c < before.NumberOfCells(); ++c)
-  {
-    volumes[0][regions.empty() ? 0 : regions[c]] +=
-      volumeOf(CornersOf(before.Points, before.Cells[c]));
-  }
-  for (Id c = 0; c < after.NumberOfCells(); ++c)
-  {
-    if (!after.IsDead(c))
-    {
-      volumes[1][after.Cell(c).Region] += volumeOf(CornersOf(after.Points, after.Cell(c).Corners));
-    }
-  }
-  return std::max(LargestChange(areas[0], areas[1]), LargestChange(volumes[0], volumes[1]));
 }
 
 Id CountSurfacePoints(const RefinableMesh& mesh, std::size_t before)
@@ -442,7 +369,7 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   }
   if (parameters.MendsSurface)
   {
-    result.LargestChange = LargestChange(mesh, regions, refinable, run);
+    result.LargestChange = LargestChange(mesh, regions, refinable, run.Facets);
     result.Statistics.emplace_back("MendedNeedles", run.MendedNeedles);
     result.Statistics.emplace_back("SurfaceTolerance", run.Tolerance);
   }
