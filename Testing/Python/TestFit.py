@@ -278,12 +278,18 @@ class Unfit(CommandLine):
         self.assertIn("which other options keep", advice)
         self.assertNotIn("remeshed", advice)
 
-    def test_a_needle_with_a_tag_of_its_own_keeps_its_area(self):
-        needle = self.needle(1e-7)
-        surfaces.add_array(needle.GetCellData(), "Side", np.eye(1, needle.GetNumberOfCells(), 7, dtype=np.int64)[0])
-        made = insideout.tetrahedralize(needle, refine=True, scale=3e-6, tag_array="Side")
-        self.assertEqual(made.statistics["RefusedCells"], 1)
-        self.assertAlmostEqual(areas_by_tag(made)["1"] / 9e-12, 5e-8, 15)
+    def test_a_low_step_goes_but_where_its_tag_would_lose_its_area(self):
+        outline = [(0, 0), (1, 0), (1, 1), (0.5, 1), (0.5, 1 + 1e-7), (0, 1 + 1e-7)]
+        points = [(x, y, z) for y in (0, 1) for x, z in outline]
+        sides = [(k, k + 6, (k + 1) % 6 + 6, (k + 1) % 6) for k in range(6)]
+        step = surfaces.polydata(points, [*sides, (0, 1, 2, 3, 4, 5), (11, 10, 9, 8, 7, 6)])
+        made = insideout.tetrahedralize(step, refine=True, scale=3e-6)
+        self.assertEqual(made.statistics["RefusedCells"], 0)
+        self.assertRegex(" ".join(made.warnings), r"where the surface is kept: without \d+ of its needles")
+        surfaces.add_array(step.GetCellData(), "Side", np.eye(1, step.GetNumberOfCells(), 3, dtype=np.int64)[0])
+        tagged = insideout.tetrahedralize(step, refine=True, scale=3e-6, tag_array="Side")
+        self.assertGreater(tagged.statistics["RefusedCells"], 0)
+        self.assertAlmostEqual(areas_by_tag(tagged)["1"] / 9e-19, 1, 6)
 
     def test_a_surface_whose_wide_needle_a_solver_would_refuse_is_remeshed_and_told(self):
         made = insideout.tetrahedralize(self.needle(1e-4), refine=True, scale=3e-6)
