@@ -2,32 +2,20 @@
 #include "Exact/FlippableMesh.h"
 
 #include "Common/Buckets.h"
-#include "Common/Error.h"
-#include "Common/Kernel.h"
 #include "Common/ParallelLoop.h"
 #include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
-#include "Exact/InsertPoints.h"
+#include "Delaunay/DelaunayTetrahedra.h"
 #include "Exact/Phases.h"
-
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Triangulation_cell_base_with_info_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
 #include <atomic>
-#include <tuple>
 #include <utility>
 
 namespace insideout
 {
 namespace
 {
-using DelaunayVertex = CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel>;
-using DelaunayCell = CGAL::Triangulation_cell_base_with_info_3<Id, Kernel>;
-using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
-  CGAL::Triangulation_data_structure_3<DelaunayVertex, DelaunayCell>>;
-
 /** Cells visited in the time of one predicate. */
 constexpr std::int64_t CellsPerWork = 2;
 
@@ -40,60 +28,22 @@ FlippableMesh::FlippableMesh(
   : AllVertices(points, work)
 {
   this->InfiniteVertex = this->AllVertices.Add({ { 0, 0, 0 } });
-  Delaunay delaunay;
-  InsertPoints(
-    points, delaunay, [&](double fraction) { monitor.Check(Phases::InsertingPoints, fraction); });
-  if (delaunay.dimension() < 3)
-  {
-    throw Error(ErrorCode::Planar, "the points lie in one plane");
-  }
-
-  same.resize(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    same[p] = static_cast<Id>(p);
-  }
-  if (delaunay.number_of_vertices() != points.size())
-  {
-    std::vector<Id> order = same;
-    std::sort(order.begin(), order.end(),
-      [&points](Id a, Id b) { return std::tie(points[a], a) < std::tie(points[b], b); });
-    for (std::size_t k = 1; k < order.size(); ++k)
-    {
-      if (points[order[k]] == points[order[k - 1]])
-      {
-        same[order[k]] = same[order[k - 1]];
-      }
-    }
-  }
-  const auto vertexOf = [&](Delaunay::Vertex_handle vertex) -> Id
-  { return vertex == delaunay.infinite_vertex() ? this->InfiniteVertex : vertex->info(); };
-
+  const DelaunayTetrahedra delaunay(
+    points, HullPolicy::MostCells, monitor, Phases::InsertingPoints);
+  same = delaunay.FirstInPlace();
   for (Id vertex = 0; vertex < this->AllVertices.Size(); ++vertex)
   {
     this->AppendVertex(0);
   }
-  CheckNumber(delaunay.tds().number_of_cells());
-  std::vector<Delaunay::Cell_handle> cells;
-  cells.reserve(delaunay.tds().number_of_cells());
-  for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
-  {
-    cell->info() = static_cast<Id>(cells.size());
-    cells.push_back(cell);
-  }
   constexpr double NanosecondsPerCell = 50;
-  this->Cells.reserve(cells.size() * 5 / 4);
-  this->Cells.resize(cells.size());
-  ParallelLoop(cells.size(), NanosecondsPerCell,
-    [&](std::size_t c)
+  const std::size_t count = static_cast<std::size_t>(delaunay.NumberOfCells());
+  this->Cells.reserve(count * 5 / 4);
+  this->Cells.resize(count);
+  ParallelLoop(delaunay.NumberOfCells(), NanosecondsPerCell,
+    [&](Id id)
     {
-      FlippableCell& copy = this->Cells[c];
-      for (int k = 0; k < 4; ++k)
-      {
-        copy.Corners[k] = vertexOf(cells[c]->vertex(k));
-        copy.Neighbors[k] = cells[c]->neighbor(k)->info();
-        copy.Facets[k] = None;
-      }
+      const DelaunayTetrahedra::Cell cell = delaunay.At(id);
+      this->Cells[id] = { {}, cell.Corners, cell.Neighbors, { { None, None, None, None } } };
     });
   for (Id cell = 0; cell < this->NumberOfCells(); ++cell)
   {

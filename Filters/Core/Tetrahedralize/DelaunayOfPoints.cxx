@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Tetrahedralize/DelaunayOfPoints.h"
 
-#include "Common/Kernel.h"
 #include "Common/Stages.h"
-#include "Exact/InsertPoints.h"
-
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include "Delaunay/DelaunayTetrahedra.h"
+#include "Mesh/MeshCell.h"
 
 #include <algorithm>
 
@@ -14,46 +11,45 @@ namespace insideout
 {
 namespace
 {
-using Vertex = CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel>;
-using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
-using Delaunay =
-  CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+/** Memory per cell, with its share of the points, and of the result. */
+constexpr double BytesPerCell = 100;
 
-/** Memory per cell: CGAL's, with its share of the points, and ours. */
-constexpr double BytesPerCell = 200;
-
-void CheckMemory(std::size_t cells, double mebibytes)
+/** The Delaunay tetrahedra, if the memory budget holds them. */
+DelaunayTetrahedra DelaunayWithin(
+  const std::vector<Point>& points, double mebibytes, Monitor& monitor)
 {
-  if (BytesPerCell * static_cast<double>(cells) > mebibytes * 1024 * 1024)
+  const double most = mebibytes * 1024 * 1024 / BytesPerCell;
+  try
   {
+    return DelaunayTetrahedra(points,
+      static_cast<std::size_t>(std::clamp(most, 0.0, static_cast<double>(MostNumberedCells))),
+      monitor, { Stages::Tetrahedralizing, 0, 1 });
+  }
+  catch (const Error& error)
+  {
+    if (error.Code != ErrorCode::TooLarge)
+    {
+      throw;
+    }
     throw Error(ErrorCode::TetrahedralizerFailed,
-      "the points alone have more tetrahedra than the memory budget holds (" +
-        std::to_string(cells) + " so far)");
+      "the memory budget does not suffice for the points alone: " + std::string(error.what()));
   }
 }
 } // namespace
 
 RawTetrahedra DelaunayOfPoints(const std::vector<Point>& points, double mebibytes, Monitor& monitor)
 {
-  Delaunay delaunay;
-  InsertPoints(points, delaunay,
-    [&](double fraction)
-    {
-      monitor.Check(Stages::Tetrahedralizing, fraction);
-      CheckMemory(delaunay.tds().number_of_cells(), mebibytes);
-    });
+  const DelaunayTetrahedra delaunay = DelaunayWithin(points, mebibytes, monitor);
   RawTetrahedra raw;
   raw.Points = points;
-  raw.Cells.reserve(delaunay.number_of_finite_cells());
-  for (const auto& cell : delaunay.finite_cell_handles())
+  for (Id cell = 0; cell < delaunay.NumberOfCells(); ++cell)
   {
-    Tetrahedron corners;
-    for (int k = 0; k < 4; ++k)
+    Tetrahedron corners = delaunay.At(cell).Corners;
+    if (corners[3] != static_cast<Id>(points.size()))
     {
-      corners[k] = cell->vertex(k)->info();
+      std::sort(corners.begin(), corners.end());
+      raw.Cells.push_back(corners);
     }
-    std::sort(corners.begin(), corners.end());
-    raw.Cells.push_back(corners);
   }
   std::sort(raw.Cells.begin(), raw.Cells.end());
   return raw;

@@ -7,9 +7,8 @@
 namespace insideout
 {
 /**
- * The Delaunay tetrahedra of points alone (CGAL's, with exact predicates; its symbolic perturbation
- * decides for cospherical points and leaves no flat cell). The first of coincident points is used.
- * Cells are sorted, so that the same points give the same answer.
+ * The Delaunay tetrahedra of points alone (DelaunayTetrahedra). The first of coincident points is
+ * used. Cells are sorted, so that the same points give the same answer.
  *
  * @param[in] points at least four that are not in one plane
  * @param[in] mebibytes limit of the memory for tetrahedra: in unlucky positions their number is

@@ -69,7 +69,7 @@ TEST(DissolvePoint, TakesOutOfACellWhatWasPutIn)
 TEST(DissolvePoint, TakesOutOfAFaceWhatWasPutInBeItAFacetOnTheHullOrNeither)
 {
   std::array<int, 4> kinds = { { 0, 0, 0, 0 } };
-  for (unsigned seed = 1; seed <= 8; ++seed)
+  for (unsigned seed = 1; seed <= 12; ++seed)
   {
     MeshWithFacets mesh = RandomMeshWithFacets(seed, 10, 4);
     for (int k = 0; k < 12; ++k)
