@@ -142,7 +142,7 @@ ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
   for (const auto from : { SplitFrom::LowerEnd, SplitFrom::HigherEnd })
   {
     const bool isFirst = best.Tetrahedra.Cells.empty();
-    if (!isFirst && Without(FacetsThatCross(points, facets, forward), missing).empty())
+    if (!isFirst && Without(FacetsThatCross(points, facets, missing, forward), missing).empty())
     {
       break;
     }

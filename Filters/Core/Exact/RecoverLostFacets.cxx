@@ -103,8 +103,7 @@ void RecoverLostFacets(ExactState& state, const std::vector<Point>& points, Spli
   const std::int64_t begin = work.Spent();
   const std::int64_t mostWork = begin + WorkOnLostFacets;
   std::vector<Id> lost = FindLostFacets(state);
-  const std::set<Id> hopeless =
-    lost.empty() ? std::set<Id>() : FacetsThatCross(points, state.Facets, *state.Progress);
+  const std::set<Id> hopeless = FacetsThatCross(points, state.Facets, lost, *state.Progress);
   std::vector<Id> wanted = Without(hopeless, lost);
   state.Mesh.ForgetUnused();
   while (!wanted.empty() && work.Spent() - begin < mostWork && !work.IsUsedUp())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/ValidFacets.h"
 
+#include "Common/BoxTree.h"
+#include "Common/ParallelLoop.h"
 #include "Common/PartMonitor.h"
 #include "Common/PointPredicates.h"
 #include "Common/SortedTriangle.h"
@@ -12,6 +14,27 @@
 
 namespace insideout
 {
+namespace
+{
+/** Per facet, whether its box meets that of one of some facets. */
+std::vector<char> NearFacets(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+  const std::vector<Id>& some)
+{
+  constexpr double NanosecondsPerFacet = 100;
+  std::vector<Box> boxes;
+  for (const Id facet : some)
+  {
+    boxes.push_back(BoundingBox(points, facets[facet]));
+  }
+  const BoxTree tree(boxes);
+  std::vector<char> isNear(facets.size(), 0);
+  ParallelLoop(facets.size(), NanosecondsPerFacet,
+    [&](std::size_t facet)
+    { tree.Visit(BoundingBox(points, facets[facet]), [&](Id) { isNear[facet] = 1; }); });
+  return isNear;
+}
+} // namespace
+
 std::vector<Id> FacetsWithArea(
   const std::vector<Point>& points, const std::vector<Triangle>& facets)
 {
@@ -26,15 +49,24 @@ std::vector<Id> FacetsWithArea(
   return proper;
 }
 
-std::set<Id> FacetsThatCross(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor)
+std::set<Id> FacetsThatCross(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+  const std::vector<Id>& among, Monitor& monitor)
 {
   std::set<Id> crossing;
+  if (among.empty())
+  {
+    return crossing;
+  }
+  const std::vector<char> isNear = NearFacets(points, facets, among);
   std::vector<Id> names;
   std::vector<Triangle> proper;
   std::set<Triangle> known;
-  for (const Id facet : FacetsWithArea(points, facets))
+  for (Id facet = 0; facet < static_cast<Id>(facets.size()); ++facet)
   {
+    if (isNear[facet] == 0 || IsDegenerate(points, facets[facet]))
+    {
+      continue;
+    }
     if (known.insert(SortedTriangle(facets[facet]).Points).second)
     {
       names.push_back(facet);

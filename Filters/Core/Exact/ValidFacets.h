@@ -13,10 +13,15 @@ namespace insideout
 std::vector<Id> FacetsWithArea(
   const std::vector<Point>& points, const std::vector<Triangle>& facets);
 
-/** Facets that meet others beyond shared corners and edges, or are duplicated: no mesh has all of
- * these. @throws Error Stopped */
-std::set<Id> FacetsThatCross(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);
+/**
+ * Facets that meet others beyond shared corners and edges, or are duplicated: no mesh has all of
+ * these. Others than those asked for may be missing.
+ *
+ * @param[in] among the facets asked for
+ * @throws Error Stopped
+ */
+std::set<Id> FacetsThatCross(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+  const std::vector<Id>& among, Monitor& monitor);
 
 /** The facets that are not among others. @param[in] facets ascending */
 std::vector<Id> Without(const std::set<Id>& others, const std::vector<Id>& facets);

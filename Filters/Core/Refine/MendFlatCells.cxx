@@ -3,7 +3,6 @@
 
 #include "Common/ParallelLoop.h"
 #include "Common/ScaledPoints.h"
-#include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
@@ -34,13 +33,14 @@ constexpr int MostSteps = 2;
 /** Beyond 2 to this power shapes might over- or underflow. */
 constexpr int LargestOrdinaryExponent = 60;
 
-/** Per cell, whether it is flat. */
-std::vector<char> FlatCells(const TetrahedralMesh& mesh)
+/** Per cell, whether isFlat(cell) says so; on several threads. */
+template <typename IsFlat>
+std::vector<char> FlatCells(std::size_t count, const IsFlat& isFlat)
 {
-  constexpr double cost = 50;
-  std::vector<char> flat(mesh.Cells.size());
-  ParallelLoop(flat.size(), cost,
-    [&](std::size_t c) { flat[c] = ShapeOf(mesh.Points, mesh.Cells[c]) < FlatShape; });
+  constexpr double NanosecondsPerCell = 50;
+  std::vector<char> flat(count);
+  ParallelLoop(
+    count, NanosecondsPerCell, [&](std::size_t c) { flat[c] = isFlat(static_cast<Id>(c)); });
   return flat;
 }
 
@@ -104,20 +104,28 @@ private:
 
   void NumberPoints(const TetrahedralMesh& whole)
   {
+    std::vector<Id> numbers(whole.Points.size(), None);
     for (const Tetrahedron& cell : this->Mesh.Cells)
     {
-      this->Points.insert(this->Points.end(), cell.begin(), cell.end());
+      for (const Id corner : cell)
+      {
+        numbers[corner] = 0;
+      }
     }
-    SortUniquely(this->Points);
-    for (const Id p : this->Points)
+    for (Id p = 0; p < static_cast<Id>(numbers.size()); ++p)
     {
-      this->Mesh.Points.push_back(whole.Points[p]);
+      if (numbers[p] != None)
+      {
+        numbers[p] = static_cast<Id>(this->Points.size());
+        this->Points.push_back(p);
+        this->Mesh.Points.push_back(whole.Points[p]);
+      }
     }
     for (Tetrahedron& cell : this->Mesh.Cells)
     {
       for (Id& corner : cell)
       {
-        corner = IndexIn(this->Points, corner);
+        corner = numbers[corner];
       }
     }
   }
@@ -165,11 +173,12 @@ public:
   /** @return whether any cell was replaced, or any point moved */
   bool Pass()
   {
+    const std::vector<char> flat = FlatCells(static_cast<std::size_t>(this->Mesh.NumberOfCells()),
+      [this](Id cell) { return this->IsFlat(cell); });
     bool isChanged = false;
-    for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
+    for (Id cell = 0; cell < static_cast<Id>(flat.size()); ++cell)
     {
-      if (!this->Mesh.IsDead(cell) &&
-        ShapeOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners) < FlatShape)
+      if (flat[cell] != 0 && this->IsFlat(cell)) // for it may have changed since
       {
         isChanged |= this->Reconnect.ImproveCell(cell) || this->MoveCorner(cell);
       }
@@ -178,6 +187,12 @@ public:
   }
 
 private:
+  bool IsFlat(Id cell) const
+  {
+    return !this->Mesh.IsDead(cell) &&
+      ShapeOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners) < FlatShape;
+  }
+
   bool MoveCorner(Id cell)
   {
     const Tetrahedron corners = this->Mesh.Cell(cell).Corners;
@@ -317,7 +332,8 @@ void PutBack(const NearFlatCells& near, const RefinableMesh& mended,
 void MendFlatCells(TetrahedralMesh& mesh, Monitor& monitor)
 {
   monitor.Check(Stages::Tetrahedralizing, 0.98);
-  std::vector<char> flat = FlatCells(mesh);
+  std::vector<char> flat = FlatCells(
+    mesh.Cells.size(), [&mesh](Id c) { return ShapeOf(mesh.Points, mesh.Cells[c]) < FlatShape; });
   if (std::find(flat.begin(), flat.end(), 1) == flat.end() ||
     std::abs(LargestExponent(mesh.Points)) > LargestOrdinaryExponent)
   {

@@ -53,14 +53,29 @@ RefinableSurface::RefinableSurface(RefinableMesh& mesh, const std::vector<FacetO
 
 void RefinableSurface::FindPinched()
 {
-  std::vector<Id> around(this->Mesh.Points.size(), 0);
-  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
+  // Elsewhere all cells around a point are reachable from each other.
+  std::vector<char> isOnBoundary(this->Mesh.Points.size(), 0);
+  const auto forEachCorner = [this](const auto& visit)
   {
-    for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
+    for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
     {
-      ++around[this->Mesh.Cell(c).Corners[k]];
+      for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
+      {
+        visit(this->Mesh.Cell(c), k);
+      }
     }
-  }
+  };
+  forEachCorner(
+    [&](const RefinableCell& cell, int k)
+    {
+      for (const Id corner : FaceAcross(cell.Corners, k))
+      {
+        isOnBoundary[corner] |= cell.Neighbors[k] == None ? 1 : 0;
+      }
+    });
+  std::vector<Id> around(isOnBoundary.size(), 0);
+  forEachCorner([&](const RefinableCell& cell, int k)
+    { around[cell.Corners[k]] += isOnBoundary[cell.Corners[k]]; });
   this->Pinched.assign(around.size(), 0);
   std::vector<Id> star;
   for (std::size_t p = 0; p < around.size(); ++p)
