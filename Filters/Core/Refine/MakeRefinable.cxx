@@ -95,6 +95,7 @@ RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& 
   const std::vector<FacetOfInput>& facets)
 {
   RefinableMesh result;
+  result.Reserve(mesh.Points.size(), mesh.Cells.size());
   for (const Point& point : mesh.Points)
   {
     result.AddPoint(point, PointKind::Free, std::numeric_limits<double>::infinity());

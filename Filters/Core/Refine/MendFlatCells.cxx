@@ -175,14 +175,16 @@ public:
   {
     const std::vector<char> flat = FlatCells(static_cast<std::size_t>(this->Mesh.NumberOfCells()),
       [this](Id cell) { return this->IsFlat(cell); });
+    const std::int64_t before = this->Mesh.NumberOfChanges();
     bool isChanged = false;
     for (Id cell = 0; cell < static_cast<Id>(flat.size()); ++cell)
     {
-      if (flat[cell] != 0 && this->IsFlat(cell)) // for it may have changed since
+      if (flat[cell] != 0 && this->IsFlat(cell) && this->HasChanged(cell))
       {
         isChanged |= this->Reconnect.ImproveCell(cell) || this->MoveCorner(cell);
       }
     }
+    this->Tried = before;
     return isChanged;
   }
 
@@ -191,6 +193,14 @@ private:
   {
     return !this->Mesh.IsDead(cell) &&
       ShapeOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners) < FlatShape;
+  }
+
+  /** Whether anything around a cell has changed since the pass before began. */
+  bool HasChanged(Id cell) const
+  {
+    const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
+    return std::any_of(corners.begin(), corners.end(),
+      [this](Id corner) { return this->Mesh.LastChangeAround(corner) > this->Tried; });
   }
 
   bool MoveCorner(Id cell)
@@ -211,6 +221,7 @@ private:
   SurfaceBound Bound;
   Reconnection Reconnect;
   PointSmoothing Smooth;
+  std::int64_t Tried = -1; ///< the number of changes when the pass before began
 };
 
 void ResizeCells(TetrahedralMesh& mesh, std::size_t count)

@@ -65,6 +65,9 @@ public:
       here.Region > (neighbor == None ? None : this->Cells[neighbor].Region);
   }
 
+  /** Take memory for this many points and cells. */
+  void Reserve(std::size_t points, std::size_t cells);
+
   /** The id that AddPoint returns next. */
   Id NextPoint() const { return static_cast<Id>(this->Points.size()); }
 
