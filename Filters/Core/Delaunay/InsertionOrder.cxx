@@ -4,15 +4,14 @@
 #include "Common/Box.h"
 #include "Common/Buckets.h"
 #include "Common/Error.h"
-#include "Common/Kernel.h"
 #include "Common/PointPredicates.h"
 
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/hilbert_sort.h>
-
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <random>
+#include <tuple>
 #include <utility>
 
 namespace insideout
@@ -22,38 +21,21 @@ namespace
 constexpr std::size_t LargestFirstRound = 64;
 constexpr std::size_t Growth = 8;
 
-/** Points per box, where they are spread evenly; each box is one thread's to sort. */
-constexpr std::size_t PointsPerBox = 2048;
-constexpr int MostLevels = 5; ///< of halvings along each axis
+constexpr int Levels = 21;         ///< of halvings along each of three axes, in 64 bits
+constexpr int LevelsOfBuckets = 3; ///< boxes whose points one thread sorts
 
-constexpr double NanosecondsPerPoint = 10;
-constexpr double NanosecondsPerSortedPoint = 500;
-
-/** CGAL's way to ask for the place of a point. */
-struct PlaceOf
-{
-  using value_type = FilteredPoint;
-  using reference = FilteredPoint;
-  using key_type = Id;
-  using category = boost::readable_property_map_tag;
-
-  const std::vector<Point>* Points;
-
-  friend FilteredPoint get(const PlaceOf& places, Id point)
-  {
-    return ToFiltered((*places.Points)[static_cast<std::size_t>(point)]);
-  }
-};
+constexpr double NanosecondsPerPoint = 150;
+constexpr double NanosecondsPerBucket = 20000;
 
 /** The number of a box along Hilbert's curve through all (Skilling 2004). */
-std::size_t PlaceOnCurve(std::array<std::uint32_t, 3> box, int levels)
+std::uint64_t PlaceOnCurve(std::array<std::uint32_t, 3> box)
 {
-  for (std::uint32_t bit = 1u << levels >> 1; bit > 1; bit >>= 1)
+  for (std::uint32_t bit = 1u << (Levels - 1); bit > 1; bit >>= 1)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       const std::uint32_t swapped = (box[0] ^ box[axis]) & (bit - 1);
-      const bool isUpper = box[axis] & bit;
+      const bool isUpper = (box[axis] & bit) != 0;
       box[0] ^= isUpper ? bit - 1 : swapped;
       box[axis] ^= isUpper ? 0 : swapped;
     }
@@ -61,12 +43,12 @@ std::size_t PlaceOnCurve(std::array<std::uint32_t, 3> box, int levels)
   box[1] ^= box[0];
   box[2] ^= box[1];
   std::uint32_t flipped = 0;
-  for (std::uint32_t bit = 1u << levels >> 1; bit > 1; bit >>= 1)
+  for (std::uint32_t bit = 1u << (Levels - 1); bit > 1; bit >>= 1)
   {
-    flipped ^= box[2] & bit ? bit - 1 : 0;
+    flipped ^= (box[2] & bit) != 0 ? bit - 1 : 0;
   }
-  std::size_t place = 0;
-  for (int level = levels - 1; level >= 0; --level)
+  std::uint64_t place = 0;
+  for (int level = Levels - 1; level >= 0; --level)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -76,41 +58,48 @@ std::size_t PlaceOnCurve(std::array<std::uint32_t, 3> box, int levels)
   return place;
 }
 
-/** Sort points along a curve: by boxes, and in each box by CGAL. */
-void SortAlongCurve(const std::vector<Point>& points, const Box& box, Id* first, std::size_t count)
+/** Sort points along a curve through a cube around all points. */
+void SortAlongCurve(
+  const std::vector<Point>& points, const Box& bounds, Id* first, std::size_t count)
 {
-  int levels = 0;
-  while (levels < MostLevels && count >> 3 * levels > PointsPerBox)
+  struct Key
   {
-    ++levels;
-  }
-  const double boxes = static_cast<double>(1 << levels);
-  const auto boxOf = [&](const Point& point)
-  {
-    std::array<std::uint32_t, 3> indices;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      // Halves, for the difference itself may overflow.
-      const double share = (point[axis] / 2 - box.Low[axis] / 2) /
-        std::max(box.High[axis] / 2 - box.Low[axis] / 2, std::numeric_limits<double>::min());
-      indices[axis] = static_cast<std::uint32_t>(std::clamp(share * boxes, 0.0, boxes - 1));
-    }
-    return PlaceOnCurve(indices, levels);
+    std::uint64_t Place;
+    Id Point;
   };
-  Buckets<Id> inBoxes =
-    Buckets<Id>::Unordered(std::size_t(1) << 3 * levels, count, NanosecondsPerPoint,
-      [&](std::size_t i, const auto& visit) { visit(boxOf(points[first[i]]), first[i]); });
-  ParallelLoop(inBoxes.Size(),
-    NanosecondsPerSortedPoint * static_cast<double>(count) / static_cast<double>(inBoxes.Size()),
-    [&](std::size_t b)
+  // Halves, for the size itself may overflow.
+  double halfSize = std::numeric_limits<double>::min();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    halfSize = std::max(halfSize, bounds.High[axis] / 2 - bounds.Low[axis] / 2);
+  }
+  constexpr double boxes = 1 << Levels;
+  std::vector<Key> keys(count);
+  ParallelLoop(count, NanosecondsPerPoint,
+    [&](std::size_t i)
     {
-      inBoxes.Sort(b, std::less<>());
-      const auto inBox = inBoxes[b];
-      Id* const begin = first + (inBox.begin() - inBoxes[0].begin());
-      std::copy(inBox.begin(), inBox.end(), begin);
-      CGAL::hilbert_sort(begin, begin + inBox.Size(),
-        CGAL::Spatial_sort_traits_adapter_3<Kernel, PlaceOf>(PlaceOf{ &points }));
+      const Point& point = points[static_cast<std::size_t>(first[i])];
+      std::array<std::uint32_t, 3> box;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double share = (point[axis] / 2 - bounds.Low[axis] / 2) / halfSize;
+        box[axis] = static_cast<std::uint32_t>(std::clamp(share * boxes, 0.0, boxes - 1));
+      }
+      keys[i] = { PlaceOnCurve(box), first[i] };
     });
+  Buckets<Key> buckets =
+    Buckets<Key>::Unordered(std::size_t(1) << 3 * LevelsOfBuckets, count, NanosecondsPerPoint,
+      [&](std::size_t i, const auto& visit)
+      { visit(keys[i].Place >> 3 * (Levels - LevelsOfBuckets), keys[i]); });
+  ParallelLoop(buckets.Size(), NanosecondsPerBucket,
+    [&](std::size_t bucket)
+    {
+      buckets.Sort(bucket,
+        [](const Key& a, const Key& b)
+        { return std::tie(a.Place, a.Point) < std::tie(b.Place, b.Point); });
+    });
+  keys = std::move(buckets).TakeAll();
+  std::transform(keys.begin(), keys.end(), first, [](const Key& key) { return key.Point; });
 }
 
 /** Move four points that span space to the front. @throws Error Planar */
