@@ -35,20 +35,14 @@ FlippableMesh::FlippableMesh(
   {
     this->AppendVertex(0);
   }
-  constexpr double NanosecondsPerCell = 50;
   const std::size_t count = static_cast<std::size_t>(delaunay.NumberOfCells());
   this->Cells.reserve(count * 5 / 4);
-  this->Cells.resize(count);
-  ParallelLoop(delaunay.NumberOfCells(), NanosecondsPerCell,
+  this->SetCells(count,
     [&](Id id)
     {
       const DelaunayTetrahedra::Cell cell = delaunay.At(id);
-      this->Cells[id] = { {}, cell.Corners, cell.Neighbors, { { None, None, None, None } } };
+      return FlippableCell{ {}, cell.Corners, cell.Neighbors, { { None, None, None, None } } };
     });
-  for (Id cell = 0; cell < this->NumberOfCells(); ++cell)
-  {
-    this->EnterAtCorners(cell);
-  }
   Id finite = this->NumberOfCells() - 1;
   while (this->IsInfinite(finite))
   {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Error.h"
+#include "Common/ParallelLoop.h"
 #include "Common/SortedTriangle.h"
 #include "Mesh/CellMarks.h"
 #include "Mesh/PendingFaces.h"
@@ -149,14 +150,22 @@ protected:
   }
 
   /**
-   * A cell with its neighbors' ids.
+   * Set all cells, on several threads.
+   * @param[in] cellOf returns the cell of an id, with its neighbors' ids
    * @throws Error TooLarge
    */
-  void AppendCell(const CellType& cell)
+  template <class CellOf>
+  void SetCells(std::size_t count, const CellOf& cellOf)
   {
-    CheckNumber(this->Cells.size() + 1);
-    this->Cells.push_back(cell);
-    this->EnterAtCorners(this->NumberOfCells() - 1);
+    constexpr double NanosecondsPerCell = 50;
+    CheckNumber(count);
+    this->Cells.resize(count);
+    ParallelLoop(this->NumberOfCells(), NanosecondsPerCell,
+      [&](Id cell) { this->Cells[cell] = cellOf(cell); });
+    for (Id cell = 0; cell < this->NumberOfCells(); ++cell)
+    {
+      this->EnterAtCorners(cell);
+    }
   }
 
   /** Make a cell the one that CellAt returns for its corners. */

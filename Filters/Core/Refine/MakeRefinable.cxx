@@ -95,31 +95,30 @@ RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& 
   const std::vector<FacetOfInput>& facets)
 {
   RefinableMesh result;
-  result.Reserve(mesh.Points.size(), mesh.Cells.size());
   for (const Point& point : mesh.Points)
   {
     result.AddPoint(point, PointKind::Free, std::numeric_limits<double>::infinity());
   }
-  std::vector<std::array<Id, 4>> facetAt(mesh.Cells.size(), { { None, None, None, None } });
+  result.SetCells(mesh.Cells.size(),
+    [&](Id c)
+    {
+      RefinableCell cell = { { regions.empty() ? 0 : regions[c], c, 0 }, mesh.Cells[c],
+        { { None, None, None, None } }, { { None, None, None, None } } };
+      for (int k = 0; k < 4; ++k)
+      {
+        cell.Neighbors[CornerAcrossFrom[k]] = mesh.Neighbors[c][k];
+      }
+      return cell;
+    });
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
     for (const Id face : facets[f].Faces)
     {
       if (face != None)
       {
-        facetAt[face / 4][CornerAcrossFrom[face % 4]] = static_cast<Id>(f);
+        result.SetFacet(face / 4, CornerAcrossFrom[face % 4], static_cast<Id>(f));
       }
     }
-  }
-  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
-  {
-    RefinableCell cell = { { regions.empty() ? 0 : regions[c], static_cast<Id>(c), 0 },
-      mesh.Cells[c], { { None, None, None, None } }, facetAt[c] };
-    for (int k = 0; k < 4; ++k)
-    {
-      cell.Neighbors[CornerAcrossFrom[k]] = mesh.Neighbors[c][k];
-    }
-    result.AddCell(cell);
   }
   return result;
 }

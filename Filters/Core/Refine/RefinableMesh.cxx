@@ -18,16 +18,6 @@ void CellExchange::Add(const Tetrahedron& fresh, Id model)
   this->Models.push_back(model);
 }
 
-void RefinableMesh::Reserve(std::size_t points, std::size_t cells)
-{
-  this->Points.reserve(points);
-  this->Kinds.reserve(points);
-  this->Sizes.reserve(points);
-  this->CellOf.reserve(points);
-  this->ChangeAround.reserve(points);
-  this->Cells.reserve(cells);
-}
-
 Id RefinableMesh::AddPoint(const Point& place, PointKind kind, double size)
 {
   this->Points.push_back(place);

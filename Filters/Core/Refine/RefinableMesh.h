@@ -65,17 +65,14 @@ public:
       here.Region > (neighbor == None ? None : this->Cells[neighbor].Region);
   }
 
-  /** Take memory for this many points and cells. */
-  void Reserve(std::size_t points, std::size_t cells);
-
   /** The id that AddPoint returns next. */
   Id NextPoint() const { return static_cast<Id>(this->Points.size()); }
 
   /** Add a point in no cell yet. */
   Id AddPoint(const Point& place, PointKind kind, double size);
 
-  /** A cell of the input, with its neighbors' ids. */
-  void AddCell(const RefinableCell& cell) { this->AppendCell(cell); }
+  /** The cells of the input. */
+  using Mesh::SetCells;
 
   using Mesh::Star;
   void Star(Id point, std::vector<Id>& cells) const { Mesh::Star(point, cells, this->Own.Marks); }

@@ -406,7 +406,7 @@ TEST(Flips, KeepsFacetsAndSegmentsWhateverIsTried)
 {
   int faces = 0;
   int edges = 0;
-  for (unsigned seed = 1; seed <= 24; ++seed)
+  for (unsigned seed = 1; seed <= 32; ++seed)
   {
     MeshWithFacets mesh = RandomMeshWithFacets(seed, 16, 6);
     const FlipTarget nothing(mesh.Mesh);

@@ -47,6 +47,7 @@ public:
           isTurned ? Tetrahedron{ { Infinite, a, b, c } } : Tetrahedron{ { Infinite, b, a, c } });
       }
     }
+    std::vector<CellType> cells;
     for (const Tetrahedron& t : corners)
     {
       CellType cell = { Content(), t, { { None, None, None, None } },
@@ -63,8 +64,10 @@ public:
           }
         }
       }
-      this->AppendCell(cell);
+      cells.push_back(cell);
     }
+    this->SetCells(
+      cells.size(), [&cells](Id cell) { return cells[static_cast<std::size_t>(cell)]; });
   }
 
   void Change(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh,
