@@ -177,7 +177,7 @@ TEST(MovePoint, WhereverAPointIsMovedTheMeshHoldsOrIsAsBefore)
   int moved = 0;
   int far = 0;
   int refused = 0;
-  for (unsigned seed = 1; seed <= 12; ++seed)
+  for (unsigned seed = 1; seed <= 24; ++seed)
   {
     MeshWithFacets mesh = RandomMeshWithFacets(seed, 18, 8);
     std::mt19937 random(seed);
