@@ -166,13 +166,13 @@ TEST(DelaunayTetrahedra, AreTheSameOnOneThreadAndOnMany)
 {
   for (int kind = 0; kind < 7; ++kind)
   {
-    const std::vector<Point> points = PointsOfKind(kind, 5, 1200);
+    const std::vector<Point> points = PointsOfKind(kind, 5, 800);
     const DelaunayTetrahedra alone = [&]
     {
       const testthreads::Allowed one(1);
       return DelaunayOf(points);
     }();
-    for (int run = 0; run < 3; ++run)
+    for (int run = 0; run < 2; ++run)
     {
       const WholeTeams teams;
       const testthreads::Allowed many(8);
