@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Delaunay/DelaunayCells.h"
 
-#include "Common/Error.h"
-
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace insideout
@@ -19,18 +16,13 @@ DelaunayCells::DelaunayCells(std::vector<Point> points)
   }
 }
 
-void DelaunayCells::Reserve(std::size_t more, std::size_t most)
+bool DelaunayCells::Reserve(std::size_t more, std::size_t most)
 {
   const std::size_t needed = this->NumberOfIds() + more;
-  if (needed <= this->Room)
-  {
-    return;
-  }
   const std::size_t room = std::min(std::max(needed, this->Room + this->Room / 2), most);
-  if (room <= this->Room)
+  if (needed <= this->Room || room <= this->Room)
   {
-    throw Error(ErrorCode::TooLarge,
-      "the points have more than " + std::to_string(most) + " Delaunay tetrahedra");
+    return this->NumberOfIds() < this->Room;
   }
   std::unique_ptr<DelaunayCell[]> cells(new DelaunayCell[room]);
   for (std::size_t cell = 0; cell < room; ++cell)
@@ -45,6 +37,7 @@ void DelaunayCells::Reserve(std::size_t more, std::size_t most)
   }
   this->Cells = std::move(cells);
   this->Room = room;
+  return true;
 }
 
 void DelaunayCells::Take(std::size_t count, std::vector<Id>& free)

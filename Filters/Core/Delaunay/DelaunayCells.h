@@ -74,7 +74,6 @@ public:
   explicit DelaunayCells(std::vector<Point> points);
 
   const Point& PointOf(Id vertex) const { return this->Points[vertex]; }
-  std::size_t NumberOfVertices() const { return this->Points.size(); }
 
   /** Ids of cells are below this; some may not be there. */
   std::size_t NumberOfIds() const { return this->Taken.load(std::memory_order_relaxed); }
@@ -90,11 +89,11 @@ public:
   }
 
   /**
-   * Make room for this many more cells, or as many as there may be; no thread may be at work.
-   * @param[in] most cells there may be
-   * @throws Error TooLarge if there is no more room
+   * Make room for this many more cells, or for fewer up to a limit; no thread may be at work.
+   * @param[in] most limit of the number of cells
+   * @return whether there is room for any more
    */
-  void Reserve(std::size_t more, std::size_t most);
+  bool Reserve(std::size_t more, std::size_t most);
 
   /** Append the ids of up to `count` new cells, fewer if there is no more room. */
   void Take(std::size_t count, std::vector<Id>& free);

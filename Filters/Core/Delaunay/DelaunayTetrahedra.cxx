@@ -96,7 +96,7 @@ DelaunayTetrahedra::DelaunayTetrahedra(const std::vector<Point>& points, std::si
 {
   std::iota(this->First.begin(), this->First.end(), 0);
   this->PointOf.insert(this->PointOf.end(), this->Order.Points.begin(), this->Order.Points.end());
-  this->Cells.Reserve(FirstCells, most);
+  this->Cells.Reserve(FirstCells, FirstCells);
   MakeFirstCells(this->Cells);
   InsertionRounds rounds(this->Cells, most);
   std::size_t inserted = 4;

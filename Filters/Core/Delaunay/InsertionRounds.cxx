@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Delaunay/InsertionRounds.h"
 
+#include "Common/Error.h"
 #include "Common/ParallelLoop.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace insideout
@@ -22,6 +24,9 @@ constexpr std::size_t MoreCells = 4096;
 constexpr std::size_t ShortestStretch = 32;
 constexpr std::size_t LongestStretch = 2048;
 constexpr std::size_t StretchesPerThread = 8;
+
+/** Postponed vertices between two calls of the monitor. */
+constexpr std::size_t InsertionsPerCheck = 64;
 } // namespace
 
 InsertionRounds::InsertionRounds(DelaunayCells& cells, std::size_t most)
@@ -49,7 +54,7 @@ void InsertionRounds::Insert(
       const std::size_t begin = first + (i % threads * stride + i / threads) * length;
       this->InsertStretch(std::min(begin, last), std::min(begin + length, last));
     });
-  this->InsertPostponed();
+  this->InsertPostponed(monitor, progress);
 }
 
 void InsertionRounds::InsertStretch(std::size_t begin, std::size_t end)
@@ -78,16 +83,25 @@ void InsertionRounds::InsertStretch(std::size_t begin, std::size_t end)
 }
 
 /** Insert what threads could not, one vertex after the other. */
-void InsertionRounds::InsertPostponed()
+void InsertionRounds::InsertPostponed(Monitor& monitor, const ProgressRange& progress)
 {
   std::unique_ptr<DelaunayInsertion> insertion = this->TakeInsertion();
+  std::size_t inserted = 0;
   for (const Id vertex : this->Postponed)
   {
+    if (++inserted % InsertionsPerCheck == 0)
+    {
+      monitor.Check(progress, 1);
+    }
     Coincidence found = { vertex, None };
     Inserted result = insertion->Insert(vertex, found.Other);
     while (result == Inserted::NoRoom)
     {
-      this->Cells.Reserve(MoreCells, this->Most);
+      if (!this->Cells.Reserve(MoreCells, this->Most))
+      {
+        throw Error(ErrorCode::TooLarge,
+          "the points have more than " + std::to_string(this->Most) + " Delaunay tetrahedra");
+      }
       result = insertion->Insert(vertex, found.Other);
     }
     if (result == Inserted::Coincides)

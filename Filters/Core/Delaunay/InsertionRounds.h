@@ -40,7 +40,7 @@ public:
 
 private:
   void InsertStretch(std::size_t begin, std::size_t end);
-  void InsertPostponed();
+  void InsertPostponed(Monitor& monitor, const ProgressRange& progress);
   std::unique_ptr<DelaunayInsertion> TakeInsertion();
 
   DelaunayCells& Cells;

@@ -8,7 +8,6 @@
 
 namespace insideout
 {
-
 bool IsInSphereExactly(
   const Point& a, const Point& b, const Point& c, const Point& d, const Point& e)
 {

@@ -29,7 +29,9 @@ using CgalDelaunay = CGAL::Delaunay_triangulation_3<Kernel,
 
 constexpr ProgressRange Inserting = { "inserting", 0, 1 };
 
-/** Points of one of seven kinds, most of which are on common spheres and planes. */
+constexpr int Kinds = 9;
+
+/** Points of one of the kinds, most of which are on common spheres and planes. */
 std::vector<Point> PointsOfKind(int kind, unsigned seed, int count)
 {
   std::mt19937 random(seed);
@@ -42,7 +44,7 @@ std::vector<Point> PointsOfKind(int kind, unsigned seed, int count)
     const double north = share() * 2 - 1;
     const double east = share() * 6.283185307179586;
     const double across = std::sqrt(1 - north * north);
-    const std::array<Point, 7> kinds = { {
+    const std::array<Point, Kinds> kinds = { {
       { { whole(7), whole(7), whole(7) } },                            // a grid, often taken twice
       { { share(), share(), share() } },                               // anywhere
       { { std::cos(angle), std::sin(angle), whole(10) } },             // a prism
@@ -50,6 +52,9 @@ std::vector<Point> PointsOfKind(int kind, unsigned seed, int count)
       { { whole(30), whole(30), random() % 40 ? 0.0 : 1.0 } },         // most of them in a plane
       { { share() * 1e-70, share() * 1e-60, share() * 1e-65 } },       // tiny
       { { 1 + share() * 0x1p-40, 2 + share() * 0x1p-40, whole(2) } },  // far away
+      { { share() * 1e100, share() * 1e120, share() * 1e110 } },       // huge
+      { { share() * (whole(9) + 1e-9), whole(2) * 1e-9,
+        share() * (whole(2) + 1e-12) } }, // of all sizes
     } };
     points.push_back(kinds[static_cast<std::size_t>(kind)]);
   }
@@ -145,7 +150,7 @@ std::vector<Point> TwoLines(int count)
 
 TEST(DelaunayTetrahedra, AreThoseOfCgal)
 {
-  for (int kind = 0; kind < 7; ++kind)
+  for (int kind = 0; kind < Kinds; ++kind)
   {
     for (unsigned seed = 1; seed <= 8; ++seed)
     {
@@ -164,7 +169,7 @@ TEST(DelaunayTetrahedra, AreThoseOfCgalWhereAPointHasCellsWithHundreds)
 
 TEST(DelaunayTetrahedra, AreTheSameOnOneThreadAndOnMany)
 {
-  for (int kind = 0; kind < 7; ++kind)
+  for (int kind = 0; kind < Kinds; ++kind)
   {
     const std::vector<Point> points = PointsOfKind(kind, 5, 800);
     const DelaunayTetrahedra alone = [&]
@@ -265,10 +270,36 @@ TEST(DelaunayTetrahedra, AreNoMoreThanAllowed)
     count);
 }
 
+TEST(DelaunayTetrahedra, AreNotTooManyWhereThePointsAreButFewPlaces)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < 5000; ++i)
+  {
+    points.push_back({ { double(i % 2), double(i / 2 % 2), double(i / 4 % 2) } });
+  }
+  Monitor monitor;
+  const DelaunayTetrahedra delaunay(points, 300, monitor, Inserting);
+  EXPECT_EQ(Sorted(ExpectSoundCells(points, delaunay)), CellsByCgal(points));
+  for (std::size_t most = 0; most < 12; ++most)
+  {
+    EXPECT_THROW(DelaunayTetrahedra(points, most, monitor, Inserting), Error);
+  }
+}
+
+TEST(DelaunayTetrahedra, StopWhereNearlyAllPointsArePostponed)
+{
+  // Eight cells per point are too few here.
+  const testthreads::Allowed one(1);
+  const std::vector<Point> points = TwoLines(500);
+  EXPECT_GT(testmeshes::StopAtEveryReport([&](Monitor& monitor, const ProgressRange& range)
+              { DelaunayTetrahedra(points, MostNumberedCells, monitor, range); }),
+    20);
+}
+
 TEST(PerturbedSphere, IsThatOfCgalUnlessAPointIsOnIt)
 {
   int onSphere = 0;
-  for (int kind = 0; kind < 7; ++kind)
+  for (int kind = 0; kind < Kinds; ++kind)
   {
     const std::vector<Point> points = PointsOfKind(kind, 2, 400);
     std::mt19937 random(9);
