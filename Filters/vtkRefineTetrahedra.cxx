@@ -20,6 +20,9 @@
 #include <vtkObjectFactory.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace insideout;
 
 vtkStandardNewMacro(vtkRefineTetrahedra);
@@ -172,7 +175,11 @@ int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
       const vtkSmartPointer<vtkDataSet> background =
         vtkInsideOut::JoinDataSets(given, this->SizingArrayName);
       AddLengths(input, background, this->SizingArrayName, parameters.Sizes);
-      if (this->SurfaceTreatment == AUTOMATIC && !this->SizingArrayName.empty())
+      const std::vector<double>& lengths = parameters.Sizes.Lengths;
+      const bool isWished = parameters.Sizes.LengthAt ||
+        std::any_of(
+          lengths.begin(), lengths.end(), [](double length) { return std::isfinite(length); });
+      if (this->SurfaceTreatment == AUTOMATIC && isWished)
       {
         parameters.Surface = SurfaceTreatment::Remeshed;
         parameters.TreatsNeedles = false;

@@ -150,7 +150,8 @@ public:
 
   ///@{
   /** Angle between normals above which edges of a remeshed boundary stay, in degrees. Default 30.
-   * Range 0 to 180. Edges of steps lower than SurfaceTolerance are removed. */
+   * Range 0 to 180. Lines of such edges that end freely stay only above twice the angle. Edges of
+   * steps lower than SurfaceTolerance are removed. */
   vtkInsideOutSetRangeMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
   ///@}

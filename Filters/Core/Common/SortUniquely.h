@@ -4,6 +4,7 @@
 #include "Common/Types.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace insideout
@@ -14,6 +15,15 @@ void SortUniquely(std::vector<Value>& values)
 {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/** The values in both of two sorted lists. */
+template <typename Value>
+std::vector<Value> InBoth(const std::vector<Value>& a, const std::vector<Value>& b)
+{
+  std::vector<Value> both;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
 }
 
 /** The index of a value among sorted ones. */

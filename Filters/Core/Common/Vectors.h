@@ -60,6 +60,14 @@ inline Point NormalOf(const Point& a, const Point& b, const Point& c)
   return Cross(Difference(b, a), Difference(c, a));
 }
 
+/** The cotangent of the angle at a between the directions to b and c. */
+inline double CotangentAt(const Point& a, const Point& b, const Point& c)
+{
+  const Point toB = Difference(b, a);
+  const Point toC = Difference(c, a);
+  return Dot(toB, toC) / Length(Cross(toB, toC));
+}
+
 inline bool IsFinite(const Point& a)
 {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);

@@ -12,14 +12,6 @@ namespace insideout
 {
 namespace
 {
-template <class Item>
-std::vector<Item> InBoth(const std::vector<Item>& a, const std::vector<Item>& b)
-{
-  std::vector<Item> both;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  return both;
-}
-
 template <class Corners>
 bool Has(const Corners& corners, Id point)
 {
@@ -202,14 +194,11 @@ void SurfaceContraction::Replace()
 
 bool SurfaceContraction::Contract(Id point, Id target, double wanted, double longest)
 {
-  const PointKind kind = this->Mesh.Kinds[point];
-  const bool isRidge = this->Surface.IsRidge(point, target);
-  if ((kind != PointKind::InFacet && !(kind == PointKind::OnRidge && isRidge)) ||
-    this->Surface.IsPinched(target) || this->Surface.IsLocked(point, target) ||
-    (isRidge && !this->Surface.MayContract(point, target)))
+  if (!this->Surface.MayContract(point, target))
   {
     return false;
   }
+  const bool isRidge = this->Surface.IsRidge(point, target);
   if (!this->Approach(point, target, wanted) || !this->KeepsLengths(target, longest) ||
     !this->KeepsTopology(point, target))
   {

@@ -66,8 +66,7 @@ public:
     , Contract(mesh)
     , ContractOnSurface(mesh, surface, bound)
     , IsRemeshed(surface.Treatment() == SurfaceTreatment::Remeshed)
-    , Good(
-        ShapeOfAngle(this->IsRemeshed && !sizes.IsAskedFor() ? GoodAngleWhereRemeshed : GoodAngle))
+    , Good(ShapeOfAngle(this->IsRemeshed ? GoodAngleWhereRemeshed : GoodAngle))
     , Insert(mesh)
   {
   }

@@ -74,6 +74,17 @@ public:
   /** The cells of the input. */
   using Mesh::SetCells;
 
+  /** The same in place of all cells that there are; the points stay. */
+  template <class CellOf>
+  void SetAllCells(std::size_t count, const CellOf& cellOf)
+  {
+    this->CellOf.assign(this->CellOf.size(), None);
+    ++this->Own.Changes;
+    this->ChangeAround.assign(this->ChangeAround.size(), this->Own.Changes);
+    this->Own.FreeCells.clear();
+    this->SetCells(count, cellOf);
+  }
+
   using Mesh::Star;
   void Star(Id point, std::vector<Id>& cells) const { Mesh::Star(point, cells, this->Own.Marks); }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/RefinableSurface.h"
 
-#include "Common/SortUniquely.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
@@ -26,6 +25,9 @@ struct RefinableSurface::EdgeUse
 namespace
 {
 constexpr double DegreesOfHalfTurn = 180;
+
+/** Ridges of this many feature angles stay even if they end freely. */
+constexpr double SharpAngles = 2;
 
 double CosineOf(double degrees)
 {
@@ -122,6 +124,8 @@ void RefinableSurface::FindRidges(double featureAngle)
     });
   std::sort(uses.begin(), uses.end());
   const double cosine = CosineOf(featureAngle);
+  const double sharp = CosineOf(std::min(SharpAngles * featureAngle, DegreesOfHalfTurn));
+  std::unordered_set<Edge, HashOfEdge> blunt;
   for (auto first = uses.begin(); first != uses.end();)
   {
     const auto last =
@@ -132,9 +136,38 @@ void RefinableSurface::FindRidges(double featureAngle)
       std::any_of(first, last, [&](const EdgeUse& use) { return this->IsLocked(use.Facet); });
     if (isKept || this->MustBeRidge(&*first, &*first + (last - first), cosine))
     {
-      this->Ridges.emplace(first->Ends, isKept);
+      this->AddRidge(first->Ends[0], first->Ends[1], isKept);
+      if (!isKept && !this->MustBeRidge(&*first, &*first + (last - first), sharp))
+      {
+        blunt.insert(first->Ends);
+      }
     }
     first = last;
+  }
+  if (this->How == SurfaceTreatment::Remeshed)
+  {
+    this->DropLooseEnds(blunt);
+  }
+}
+
+/** Remove lines of blunt ridges from their loose ends on. */
+void RefinableSurface::DropLooseEnds(const std::unordered_set<Edge, HashOfEdge>& blunt)
+{
+  std::vector<Id> points;
+  for (const auto& [point, ends] : this->RidgeEnds)
+  {
+    points.push_back(point);
+  }
+  for (Id point : points)
+  {
+    for (const std::vector<Id>* ends = &this->RidgeEnds[point];
+         ends->size() == 1 && blunt.count(EdgeBetween(point, ends->front())) > 0;
+         ends = &this->RidgeEnds[point])
+    {
+      const Id next = ends->front();
+      this->RemoveRidge(point, next);
+      point = next;
+    }
   }
 }
 
@@ -182,6 +215,25 @@ void RefinableSurface::SetKinds(double featureAngle)
   }
 }
 
+void RefinableSurface::AddRidge(Id u, Id v, bool isLocked)
+{
+  if (this->Ridges.emplace(EdgeBetween(u, v), isLocked).second)
+  {
+    this->RidgeEnds[u].push_back(v);
+    this->RidgeEnds[v].push_back(u);
+  }
+}
+
+void RefinableSurface::RemoveRidge(Id u, Id v)
+{
+  this->Ridges.erase(EdgeBetween(u, v));
+  for (const auto& [from, to] : { std::pair(u, v), std::pair(v, u) })
+  {
+    std::vector<Id>& ends = this->RidgeEnds[from];
+    ends.erase(std::find(ends.begin(), ends.end(), to));
+  }
+}
+
 bool RefinableSurface::IsLocked(Id u, Id v) const
 {
   const auto found = this->Ridges.find(EdgeBetween(u, v));
@@ -190,35 +242,32 @@ bool RefinableSurface::IsLocked(Id u, Id v) const
 
 void RefinableSurface::Split(Id u, Id v, Id middle)
 {
-  if (this->Ridges.erase(EdgeBetween(u, v)) > 0)
+  if (this->IsRidge(u, v))
   {
-    this->Ridges.emplace(EdgeBetween(u, middle), false);
-    this->Ridges.emplace(EdgeBetween(middle, v), false);
+    this->RemoveRidge(u, v);
+    this->AddRidge(u, middle, false);
+    this->AddRidge(middle, v, false);
   }
 }
 
 /** The other ends of the ridges at a point, in the order of their ids. */
 std::vector<Id> RefinableSurface::RidgesFrom(Id point) const
 {
-  std::vector<Id> star;
-  this->Mesh.Star(point, star);
-  std::vector<Id> ends;
-  for (const Id cell : star)
-  {
-    for (const Id other : this->Mesh.Cell(cell).Corners)
-    {
-      if (other != point && this->IsRidge(point, other))
-      {
-        ends.push_back(other);
-      }
-    }
-  }
-  SortUniquely(ends);
+  const auto found = this->RidgeEnds.find(point);
+  std::vector<Id> ends = found == this->RidgeEnds.end() ? std::vector<Id>() : found->second;
+  std::sort(ends.begin(), ends.end());
   return ends;
 }
 
 bool RefinableSurface::MayContract(Id point, Id target) const
 {
+  const PointKind kind = this->Mesh.Kinds[point];
+  const bool isRidge = this->IsRidge(point, target);
+  if ((kind != PointKind::InFacet && !(kind == PointKind::OnRidge && isRidge)) ||
+    this->IsPinched(target) || this->IsLocked(point, target))
+  {
+    return false;
+  }
   const std::vector<Id> ends = this->RidgesFrom(point);
   return std::none_of(
     ends.begin(), ends.end(), [&](Id end) { return end != target && this->IsRidge(target, end); });
@@ -235,10 +284,10 @@ void RefinableSurface::Contract(Id point, Id target)
 {
   for (const Id end : this->RidgesFrom(point))
   {
-    this->Ridges.erase(EdgeBetween(point, end));
+    this->RemoveRidge(point, end);
     if (end != target)
     {
-      this->Ridges.emplace(EdgeBetween(target, end), false);
+      this->AddRidge(target, end, false);
     }
   }
 }

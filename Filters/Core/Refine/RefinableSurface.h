@@ -5,6 +5,7 @@
 #include "Refine/RefinableMesh.h"
 
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace insideout
@@ -36,7 +37,8 @@ public:
   /**
    * Sets the mesh's Kinds, where split surfaces have fixed points. Split: all edges between facets
    * are ridges. Remeshed: an edge is a ridge unless exactly two facets meet there, of one label and
-   * the same regions, whose normals differ by at most an angle.
+   * the same regions, whose normals differ by at most an angle. Lines of ridges that end freely and
+   * are below twice the angle are none: they are the edges of a coarse mesh of a round surface.
    *
    * @param[in] facets by their ids in the mesh; these, and `locked`, have to live as long
    * @param[in] locked per facet whether it stays as it is; empty: none does
@@ -71,8 +73,9 @@ public:
   /** Update: a point was inserted in an edge of facets. */
   void Split(Id u, Id v, Id middle);
 
-  /** Whether a point on a ridge may be contracted into the next one: a ridge around three edges
-   * would collapse, with everything within. */
+  /** Whether a point may be contracted into a neighbor: within a facet, or along its ridge, unless
+   * the edge is locked or the neighbor pinched. A ridge around three edges would collapse, with
+   * everything within. */
   bool MayContract(Id point, Id target) const;
 
   /**
@@ -91,12 +94,16 @@ private:
   void FindRidges(double featureAngle);
   bool MustBeRidge(const EdgeUse* first, const EdgeUse* last, double cosine) const;
   void SetKinds(double featureAngle);
+  void DropLooseEnds(const std::unordered_set<Edge, HashOfEdge>& blunt);
+  void AddRidge(Id u, Id v, bool isLocked);
+  void RemoveRidge(Id u, Id v);
 
   RefinableMesh& Mesh;
   const std::vector<FacetOfInput>& Facets;
   const std::vector<char>& Locked;
   const SurfaceTreatment How;
   std::unordered_map<Edge, bool, HashOfEdge> Ridges; ///< with whether they are locked
+  std::unordered_map<Id, std::vector<Id>> RidgeEnds; ///< other ends of the ridges at a point
   std::vector<char> Pinched;
 };
 } // namespace insideout

@@ -9,6 +9,7 @@
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
 #include "Refine/ContractSmallSteps.h"
+#include "Refine/FillBetweenPieces.h"
 #include "Refine/FillWithPoints.h"
 #include "Refine/ImproveCells.h"
 #include "Refine/JoinCoplanar.h"
@@ -16,6 +17,7 @@
 #include "Refine/MakeRefinable.h"
 #include "Refine/MendNeedles.h"
 #include "Refine/RefinedSurface.h"
+#include "Refine/RemeshPieces.h"
 #include "Refine/RemeshSurface.h"
 #include "Refine/SizesByRules.h"
 
@@ -185,16 +187,19 @@ void PutInPatches(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets)
   }
 }
 
-/** Refine the mesh; its surface is treated as requested, except for locked facets. */
-void Run(RefinableMesh& refinable, SurfaceOfRun& run, const RefinementParameters& parameters,
-  Monitor& monitor)
+/** Refine the mesh; its surface is treated as requested, except for locked facets.
+ * @param[in] regions per cell of the input
+ * @param[in] mayFill whether cells may be made anew; then it may fail, and the mesh is of no use
+ */
+bool Run(RefinableMesh& refinable, const std::vector<Id>& regions, SurfaceOfRun& run,
+  const RefinementParameters& parameters, bool mayFill, Monitor& monitor)
 {
   if (parameters.MendsSurface)
   {
     run.MendedNeedles = MendNeedles(refinable, run.Facets, run.Locked, run.Tolerance, monitor);
     if (run.MendedNeedles == 0)
     {
-      return; // the cells would be those of a kept surface
+      return true; // the cells would be those of a kept surface
     }
   }
   SurfaceBound bound(refinable, run.Facets, parameters.Surface, run.Tolerance);
@@ -225,13 +230,27 @@ void Run(RefinableMesh& refinable, SurfaceOfRun& run, const RefinementParameters
       sizes.FollowWishes();
     }
     CheckEstimate(sizes, parameters.MaximumCells);
-    RemeshSurface(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.2 });
+    if (mayFill)
+    {
+      const std::vector<SurfacePiece> pieces = RemeshPieces(
+        refinable, surface, bound, sizes, run.Tolerance, monitor, { Stages::Refining, 0.05, 0.2 });
+      if (!FillBetweenPieces(
+            refinable, pieces, run.Facets, regions, sizes, monitor, { Stages::Refining, 0.2, 0.2 }))
+      {
+        return false;
+      }
+    }
+    else
+    {
+      RemeshSurface(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.2 });
+    }
     sizes.FollowSurface();
   }
   ThinPoints(refinable);
   FillWithPoints(refinable, sizes, parameters.Sizes.MaximumVolume, parameters.Surface, monitor,
     { Stages::Refining, 0.2, 0.4 });
   ImproveCells(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.4, 0.9 });
+  return true;
 }
 
 /** Refine a mesh without new crossings: facets that cross others stay as they are. */
@@ -245,14 +264,20 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
     JoinCoplanar(mesh, run.Locked, run.Facets);
     PutInPatches(refinable, run.Facets);
   }
-  Run(refinable, run, parameters, monitor);
+  const bool mayFill = parameters.Surface == SurfaceTreatment::Remeshed &&
+    run.NumberOfLocked() == 0; // facets that cross are no faces of a mesh
+  if (!Run(refinable, regions, run, parameters, mayFill, monitor))
+  {
+    refinable = MakeRefinable(mesh, regions, run.Facets);
+    Run(refinable, regions, run, parameters, false, monitor);
+  }
   // SurfaceBound allows no crossings; this verifies it.
   const std::vector<char> crossing = MarkCrossing(refinable, run, parameters, monitor, 0.9);
   if (!std::equal(crossing.begin(), crossing.end(), run.Locked.begin(), std::less_equal<>()))
   {
     run.Locked.assign(run.Facets.size(), 1); // their pieces are unchanged
     refinable = MakeRefinable(mesh, regions, run.Facets);
-    Run(refinable, run, parameters, monitor);
+    Run(refinable, regions, run, parameters, false, monitor);
   }
   return refinable;
 }

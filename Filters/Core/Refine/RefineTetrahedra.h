@@ -91,9 +91,10 @@ struct RefinedMesh
 
 /**
  * Refine the solid to better tetrahedra of the requested sizes. Faces of the boundary, and between
- * two regions, stay bit by bit, or are treated as requested (RemeshSurface). Delaunay refinement by
- * lengths (FillWithPoints), then the worst cells are improved (ImproveCells). Every cell has an
- * exactly positive volume, and no faces of the boundary cross. The result is deterministic.
+ * two regions, stay bit by bit, or are treated as requested (RemeshPieces, RemeshSurface). Delaunay
+ * refinement by lengths (FillWithPoints), then the worst cells are improved (ImproveCells). Every
+ * cell has an exactly positive volume, and no faces of the boundary cross. The result is
+ * deterministic.
  *
  * Statistics: AddedPoints, RemovedPoints, and CellsAboveMaximumVolume if that is given. If the
  * surface is not kept: SurfacePoints, the added points on it, and KeptFacets, the facets that stay

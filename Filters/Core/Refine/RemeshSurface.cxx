@@ -6,6 +6,7 @@
 #include "Refine/CellShape.h"
 #include "Refine/ContractEdge.h"
 #include "Refine/ContractOnSurface.h"
+#include "Refine/EdgeLengths.h"
 #include "Refine/InsertOnSurface.h"
 #include "Refine/ReconnectCells.h"
 #include "Refine/SmoothPoint.h"
@@ -22,18 +23,8 @@ namespace insideout
 {
 namespace
 {
-/**
- * Relative to the required edge length: outside of this range an edge is split or contracted, and
- * its halves are then near the length.
- */
-constexpr double LongestEdge = 4.0 / 3;
-constexpr double ShortestEdge = 4.0 / 5;
-
 /** Edges longer than this are split even if the split makes flat cells. */
 constexpr double LongestUncut = 4;
-
-/** Limit of an edge's relative length when others are contracted. */
-constexpr double LongestContracted = 1.6;
 
 /** Relative to the same length: the largest circumradius of a piece before it is split (0.58 for a
  * regular triangle), and the least distance of its center to other points. */
@@ -53,13 +44,7 @@ constexpr double AcceptableAngle = 3;
 /** The same where edges are contracted to wanted lengths. */
 constexpr double AcceptableAngleForLength = 0.3;
 
-/** Each round halves edges: most surfaces take fewer. The limit excludes an endless loop. */
-constexpr int MostRoundsOfSplits = 60;
-
-/** Rounds of split, contract, flip and move. The first use the lengths as wanted, which shows where
- * edges have to stay short; the others use lengths that are short there. */
-constexpr int RoundsOfWishes = 2;
-constexpr int RoundsWhereRemeshed = 7;
+/** Rounds of points, flips and moves of a split surface. */
 constexpr int RoundsWhereSplit = 2;
 
 /** Limit of rounds of flips before points are added to a split surface: most surfaces take few. */
@@ -392,10 +377,8 @@ private:
     double cotangents = 0;
     for (const Id across : { this->Ring.Points.front(), this->Ring.Points.back() })
     {
-      const Point& apex = this->Mesh.Points[across];
-      const Point u = Difference(this->Mesh.Points[edge.Ends[0]], apex);
-      const Point v = Difference(this->Mesh.Points[edge.Ends[1]], apex);
-      cotangents += Dot(u, v) / Length(Cross(u, v));
+      cotangents += CotangentAt(this->Mesh.Points[across], this->Mesh.Points[edge.Ends[0]],
+        this->Mesh.Points[edge.Ends[1]]);
     }
     return cotangents < 0;
   }
@@ -450,7 +433,8 @@ void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound&
     {
       if (round == RoundsOfWishes && !sizes.ReplacesSurface())
       {
-        sizes.ShortenAtThinTriangles();
+        const std::vector<SurfacePiece> pieces = PiecesOf(mesh);
+        sizes.ShortenAtThinTriangles(pieces, std::vector<double>(pieces.size(), MostHeights), 0);
       }
       remeshing.SplitLongEdges(monitor, part);
       remeshing.ContractShortEdges(monitor, part);

@@ -24,12 +24,6 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double LeastShare = 1.0 / 4;
 
 /**
- * Bound of the longest edge over the least height of a triangle that is not thin; 1.2 for an
- * equilateral one.
- */
-constexpr double MostHeights = 2;
-
-/**
  * For the estimate, cells are halved until their longest edge is at most this multiple of the
  * length there. The second limits the number of parts in all, to bound the work.
  */
@@ -51,7 +45,96 @@ double VolumeOfEdge(double edge)
 {
   return edge * edge * edge / (6 * std::sqrt(2.0));
 }
+
+/** Call visit(corner) for the corners of the cells around a point. */
+template <class Visit>
+void VisitCorners(const RefinableMesh& mesh, Id point, const Visit& visit)
+{
+  std::vector<Id> star;
+  mesh.Star(point, star);
+  for (const Id cell : star)
+  {
+    const Tetrahedron& corners = mesh.Cell(cell).Corners;
+    std::for_each(corners.begin(), corners.end(), visit);
+  }
+}
 } // namespace
+
+/**
+ * At each point of a facet the mean length of the facets' edges there. Where the visited triangles
+ * have limits above 0, the least of these times the distance to the opposite edge, but at least a
+ * fraction of the mean.
+ * @param[in] visitTriangles calls visit(corners, limit)
+ */
+template <class VisitTriangles>
+void SizingField::SetLengthsOfSurface(const VisitTriangles& visitTriangles)
+{
+  std::vector<int> counts(this->AtPoints.size(), 0);
+  std::vector<double> sums(this->AtPoints.size(), 0);
+  std::vector<double> limits(this->AtPoints.size(), Infinite);
+  visitTriangles(
+    [&](const Triangle& f, double heights)
+    {
+      const std::array<Point, 3> t = CornersOf(this->Mesh.Points, f);
+      for (int i = 0; i < 3; ++i)
+      {
+        const double length = Distance(t[i], t[(i + 1) % 3]);
+        for (const Id p : { f[i], f[(i + 1) % 3] })
+        {
+          sums[p] += length;
+          ++counts[p];
+        }
+        const Point& apex = t[(i + 2) % 3];
+        const Point across = NearestPointOf({ { t[i], t[(i + 1) % 3], t[i] } }, apex);
+        if (heights > 0)
+        {
+          double& limit = limits[f[(i + 2) % 3]];
+          limit = std::min(limit, heights * Distance(apex, across));
+        }
+      }
+    });
+  for (std::size_t p = 0; p < sums.size(); ++p)
+  {
+    const double mean = counts[p] > 0 ? sums[p] / counts[p] : Infinite;
+    this->AtPoints[p].Surface =
+      limits[p] < Infinite ? std::max(limits[p], LeastShare * mean) : mean;
+  }
+}
+
+/** Extend the lengths inward from the surface along edges, with limited growth (Dijkstra 1959). */
+template <class VisitNeighbors>
+void SizingField::Grow(const VisitNeighbors& visitNeighbors)
+{
+  using Entry = std::pair<double, Id>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (std::size_t p = 0; p < this->AtPoints.size(); ++p)
+  {
+    if (this->AtPoints[p].Surface < Infinite)
+    {
+      queue.push({ this->AtPoints[p].Surface, static_cast<Id>(p) });
+    }
+  }
+  while (!queue.empty())
+  {
+    const auto [length, point] = queue.top();
+    queue.pop();
+    if (length > this->AtPoints[point].Surface)
+    {
+      continue;
+    }
+    visitNeighbors(point,
+      [&, from = point, before = length](Id other)
+      {
+        const double grown = before +
+          this->Parameters.Grading * Distance(this->Mesh.Points[from], this->Mesh.Points[other]);
+        if (grown < this->AtPoints[other].Surface)
+        {
+          this->AtPoints[other].Surface = grown;
+          queue.push({ grown, other });
+        }
+      });
+  }
+}
 
 SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters)
   : Mesh(mesh)
@@ -66,14 +149,15 @@ SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters
   for (std::size_t p = 0; p < mesh.Points.size(); ++p)
   {
     const double given = parameters.Lengths.empty() ? Infinite : parameters.Lengths[p];
-    this->AtPoints[p] = { Infinite, this->WantedAt(mesh.Points[p], given), given };
+    this->AtPoints[p] = { Infinite, this->WantedAt(mesh.Points[p], given), given, Infinite };
   }
   for (Id c = 0; c < mesh.NumberOfCells() && !parameters.LengthOfRegion.empty(); ++c)
   {
     for (const Id p : mesh.Cell(c).Corners)
     {
-      double& wanted = this->AtPoints[p].Wanted;
-      wanted = std::min(wanted, this->LengthOfRegion(mesh.Cell(c).Region));
+      Lengths& there = this->AtPoints[p];
+      there.Region = std::min(there.Region, this->LengthOfRegion(mesh.Cell(c).Region));
+      there.Wanted = std::min(there.Wanted, there.Region);
     }
   }
   this->FollowSurface();
@@ -95,23 +179,42 @@ void SizingField::SetSizes()
 
 void SizingField::FollowSurface(double heights)
 {
-  this->SetLengthsOfSurface(heights);
-  this->Grow();
+  this->SetLengthsOfSurface(
+    [&](const auto& visit)
+    {
+      this->Mesh.VisitFacets(
+        [&](Id c, int k) { visit(FaceAcross(this->Mesh.Cell(c).Corners, k), heights); });
+    });
+  this->Grow([this](Id point, const auto& visit) { VisitCorners(this->Mesh, point, visit); });
   this->SetSizes();
 }
 
-void SizingField::ShortenAtThinTriangles()
+void SizingField::ShortenAtThinTriangles(
+  const std::vector<SurfacePiece>& pieces, const std::vector<double>& heights, double least)
 {
   const std::vector<Lengths> before = this->AtPoints;
-  this->SetLengthsOfSurface(MostHeights);
-  for (std::size_t p = 0; p < before.size(); ++p)
-  {
-    if (this->Mesh.CellAt(static_cast<Id>(p)) != None)
+  std::vector<std::vector<Id>> neighbors(before.size());
+  this->SetLengthsOfSurface(
+    [&](const auto& visit)
     {
-      this->AtPoints[p].Surface = std::min(this->AtPoints[p].Surface, before[p].Surface);
+      for (std::size_t i = 0; i < pieces.size(); ++i)
+      {
+        visit(pieces[i].Corners, heights[i]);
+      }
+    });
+  for (const SurfacePiece& piece : pieces)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Id p = piece.Corners[i];
+      double& length = this->AtPoints[p].Surface;
+      length = std::min(std::max(length, least), before[p].Surface);
+      neighbors[p].insert(
+        neighbors[p].end(), { piece.Corners[(i + 1) % 3], piece.Corners[(i + 2) % 3] });
     }
   }
-  this->Grow();
+  this->Grow([&](Id point, const auto& visit)
+    { std::for_each(neighbors[point].begin(), neighbors[point].end(), visit); });
   this->SetSizes();
 }
 
@@ -137,84 +240,10 @@ double SizingField::LengthOfRegion(Id region) const
   return lengths.empty() ? Infinite : lengths[region];
 }
 
-/**
- * At each point of a facet the mean length of the facets' edges there. If `heights` is not 0, at
- * most `heights` times the distance to the opposite edges, but at least a fraction of the mean.
- */
-void SizingField::SetLengthsOfSurface(double heights)
-{
-  std::vector<int> counts(this->AtPoints.size(), 0);
-  std::vector<double> sums(this->AtPoints.size(), 0);
-  std::vector<double> shortest(this->AtPoints.size(), Infinite);
-  this->Mesh.VisitFacets(
-    [&](Id c, int k)
-    {
-      const Triangle f = FaceAcross(this->Mesh.Cell(c).Corners, k);
-      const std::array<Point, 3> t = CornersOf(this->Mesh.Points, f);
-      for (int i = 0; i < 3; ++i)
-      {
-        const double length = Distance(t[i], t[(i + 1) % 3]);
-        for (const Id p : { f[i], f[(i + 1) % 3] })
-        {
-          sums[p] += length;
-          ++counts[p];
-        }
-        const Point& apex = t[(i + 2) % 3];
-        const Point across = NearestPointOf({ { t[i], t[(i + 1) % 3], t[i] } }, apex);
-        shortest[f[(i + 2) % 3]] = std::min(shortest[f[(i + 2) % 3]], Distance(apex, across));
-      }
-    });
-  for (std::size_t p = 0; p < sums.size(); ++p)
-  {
-    const double mean = counts[p] > 0 ? sums[p] / counts[p] : Infinite;
-    this->AtPoints[p].Surface =
-      heights > 0 ? std::max(heights * shortest[p], LeastShare * mean) : mean;
-  }
-}
-
-/** Extend the lengths inward from the surface along edges, with limited growth (Dijkstra 1959). */
-void SizingField::Grow()
-{
-  using Entry = std::pair<double, Id>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  for (std::size_t p = 0; p < this->AtPoints.size(); ++p)
-  {
-    if (this->AtPoints[p].Surface < Infinite)
-    {
-      queue.push({ this->AtPoints[p].Surface, static_cast<Id>(p) });
-    }
-  }
-  std::vector<Id> star;
-  while (!queue.empty())
-  {
-    const auto [length, point] = queue.top();
-    queue.pop();
-    if (length > this->AtPoints[point].Surface)
-    {
-      continue;
-    }
-    star.clear();
-    this->Mesh.Star(point, star);
-    for (const Id cell : star)
-    {
-      for (const Id other : this->Mesh.Cell(cell).Corners)
-      {
-        const double grown = length +
-          this->Parameters.Grading * Distance(this->Mesh.Points[point], this->Mesh.Points[other]);
-        if (grown < this->AtPoints[other].Surface)
-        {
-          this->AtPoints[other].Surface = grown;
-          queue.push({ grown, other });
-        }
-      }
-    }
-  }
-}
-
 SizingField::Lengths SizingField::LengthsAt(Id cell, const Point& place) const
 {
   const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
-  Lengths result = { Infinite, 0, 0 };
+  Lengths result = { Infinite, 0, 0, this->LengthOfRegion(this->Mesh.Cell(cell).Region) };
   double weights = 0;
   bool isGiven = false;
   for (int k = 0; k < 4; ++k)
@@ -232,8 +261,7 @@ SizingField::Lengths SizingField::LengthsAt(Id cell, const Point& place) const
     result.Array += weight * std::min(there.Array, std::numeric_limits<double>::max());
   }
   result.Array = isGiven && weights > 0 ? result.Array / weights : Infinite;
-  result.Wanted = std::min(
-    this->WantedAt(place, result.Array), this->LengthOfRegion(this->Mesh.Cell(cell).Region));
+  result.Wanted = std::min(this->WantedAt(place, result.Array), result.Region);
   return result;
 }
 
@@ -245,6 +273,22 @@ double SizingField::At(Id cell, const Point& place) const
 void SizingField::Append(Id cell, const Point& place)
 {
   this->AtPoints.push_back(this->LengthsAt(cell, place));
+}
+
+double SizingField::AppendBetween(Id u, Id v, const Point& place)
+{
+  Lengths result = { Infinite, 0, 0, 0 };
+  for (const Id end : { u, v })
+  {
+    const Lengths& there = this->AtPoints[end];
+    result.Surface = std::min(result.Surface,
+      there.Surface + this->Parameters.Grading * Distance(this->Mesh.Points[end], place));
+    result.Array += there.Array / 2;
+    result.Region = std::max(result.Region, there.Region);
+  }
+  result.Wanted = std::min(this->WantedAt(place, result.Array), result.Region);
+  this->AtPoints.push_back(result);
+  return result.Both();
 }
 
 double SizingField::EstimatedCells() const

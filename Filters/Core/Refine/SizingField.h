@@ -3,6 +3,7 @@
 
 #include "Refine/RefinableMesh.h"
 #include "Refine/SizeRules.h"
+#include "Refine/SurfacePiece.h"
 
 #include <functional>
 #include <vector>
@@ -56,8 +57,13 @@ public:
   void FollowSurface(double heights = 0);
 
   /** Reduce them at thin triangles of the surface, which adjoin short edges that must stay to keep
-   * the surface near the input's. */
-  void ShortenAtThinTriangles();
+   * the surface near the input's.
+   * @param[in] pieces of the surface, which need not be faces of cells
+   * @param[in] heights per piece: lengths at its corners are at most this many of its heights
+   * @param[in] least lengths are not reduced below this one
+   */
+  void ShortenAtThinTriangles(
+    const std::vector<SurfacePiece>& pieces, const std::vector<double>& heights, double least);
 
   /** Whether wanted lengths take the place of the surface's own. */
   bool ReplacesSurface() const { return this->IsAskedFor() && !this->Parameters.KeepsShorterEdges; }
@@ -78,6 +84,9 @@ public:
   /** Set the value of a point added to the mesh, from the cell that At(cell, its place) used. */
   void Append(Id cell, const Point& place);
 
+  /** The same for a point between two others. @return its size */
+  double AppendBetween(Id u, Id v, const Point& place);
+
   /** Estimated number of cells of a mesh with these sizes. */
   double EstimatedCells() const;
 
@@ -88,14 +97,17 @@ private:
     double Surface;
     double Wanted;
     double Array;
+    double Region; ///< the least of the regions there; part of Wanted
     double Both() const { return this->Surface < this->Wanted ? this->Surface : this->Wanted; }
   };
   Lengths LengthsAt(Id cell, const Point& place) const;
   double WantedAt(const Point& place, double otherwise) const;
   double LengthOfRegion(Id region) const;
   double CellsIn(Id cell, const std::array<Point, 4>& corners, int halvings) const;
-  void SetLengthsOfSurface(double heights);
-  void Grow();
+  template <class VisitTriangles>
+  void SetLengthsOfSurface(const VisitTriangles& visitTriangles);
+  template <class VisitNeighbors>
+  void Grow(const VisitNeighbors& visitNeighbors);
   void SetSizes();
 
   RefinableMesh& Mesh;

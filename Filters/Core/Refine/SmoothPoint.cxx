@@ -4,6 +4,7 @@
 #include "Common/PointPredicates.h"
 #include "Common/Vectors.h"
 #include "Refine/BestPlace.h"
+#include "Refine/EdgeLengths.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,12 +14,6 @@ namespace insideout
 namespace
 {
 constexpr double LeastGain = 1.001;
-
-/**
- * Relative to the required length: the least distance for moving a point to the center of the
- * points around it.
- */
-constexpr double LeastMove = 0.03;
 } // namespace
 
 bool PointSmoothing::MoveTo(Id point, const Point& place)
@@ -130,23 +125,12 @@ bool PointSmoothing::Relax(Id point, double wanted)
   }
   this->Mesh.StarWithWalls(point, this->Cells, this->Walls);
   this->CollectPieces(point);
-  Point mean = { { 0, 0, 0 } };
-  double weights = 0;
-  for (const SurfacePiece& piece : this->Pieces)
-  {
-    const double area = Length(NormalOf(piece.Places[0], piece.Places[1], piece.Places[2]));
-    weights += area;
-    for (int k = 0; k < 3; ++k)
-    {
-      mean[k] += area * (piece.Places[0][k] + piece.Places[1][k] + piece.Places[2][k]) / 3;
-    }
-  }
-  if (!(weights > 0))
+  Point center;
+  if (!FindCenter(this->Pieces, center))
   {
     return false;
   }
-  const Point place =
-    this->PlaceOnSurface({ { mean[0] / weights, mean[1] / weights, mean[2] / weights } });
+  const Point place = this->PlaceOnSurface(center);
   const std::vector<Point>& points = this->Mesh.Points;
   if (!(Distance(place, points[point]) > LeastMove * this->Mesh.Sizes[point]))
   {

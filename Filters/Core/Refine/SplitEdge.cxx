@@ -3,6 +3,7 @@
 
 #include "Common/PointPredicates.h"
 #include "Common/Vectors.h"
+#include "Refine/EdgeLengths.h"
 
 #include <algorithm>
 
@@ -10,13 +11,6 @@ namespace insideout
 {
 namespace
 {
-/**
- * An edge is not split if another edge of a piece is this many times as long. The value is below
- * 3/2: in a low piece, halving a short edge of 2/3 of the long one makes the other short edge 2/3
- * of it, and the process would repeat.
- */
-constexpr double MostTimesLonger = 1.4;
-
 /** A cell or triangle with one point replaced by another. */
 template <class Corners>
 Corners With(Corners corners, Id point, Id instead)
@@ -42,8 +36,7 @@ bool EdgeSplitting::IsBesideLonger() const
       if (cell.Facets[k] != None && cell.Corners[k] != this->Ring.U &&
         cell.Corners[k] != this->Ring.V)
       {
-        const auto [p, q, r] = CornersOf(points, FaceAcross(cell.Corners, k));
-        if (std::max({ Distance(p, q), Distance(q, r), Distance(r, p) }) > most)
+        if (LongestEdgeOf(CornersOf(points, FaceAcross(cell.Corners, k))) > most)
         {
           return true;
         }

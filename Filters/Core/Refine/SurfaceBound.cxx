@@ -36,7 +36,8 @@ SurfaceBound::SurfaceBound(const RefinableMesh& mesh, const std::vector<FacetOfI
   SurfaceTreatment treatment, double tolerance)
   : Facets(facets)
   , Tolerance(tolerance)
-  , Boundary(this->OnBoundary(PiecesOf(mesh)))
+  , WatchesAll(treatment == SurfaceTreatment::Remeshed)
+  , Boundary(this->Watched(PiecesOf(mesh)))
 {
   if (treatment == SurfaceTreatment::Remeshed)
   {
@@ -72,11 +73,12 @@ void SurfaceBound::TakeSamples(const std::vector<SurfacePiece>& pieces)
   }
 }
 
-std::vector<SurfacePiece> SurfaceBound::OnBoundary(const std::vector<SurfacePiece>& pieces) const
+std::vector<SurfacePiece> SurfaceBound::Watched(const std::vector<SurfacePiece>& pieces) const
 {
   std::vector<SurfacePiece> result;
   std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(result),
-    [this](const SurfacePiece& piece) { return this->Facets[piece.Facet].Faces[1] == None; });
+    [this](const SurfacePiece& piece)
+    { return this->WatchesAll || this->Facets[piece.Facet].Faces[1] == None; });
   return result;
 }
 
@@ -184,7 +186,7 @@ bool SurfaceBound::Accepts(
 {
   this->Gone = gone;
   this->Fresh = fresh;
-  return this->Boundary.StayApart(this->OnBoundary(gone), this->OnBoundary(fresh));
+  return this->Boundary.StayApart(this->Watched(gone), this->Watched(fresh));
 }
 
 void SurfaceBound::Replace()
@@ -197,7 +199,7 @@ void SurfaceBound::Replace()
   {
     this->AtPieces[KeyOf(this->Fresh[i].Corners)] = std::move(this->AtFresh[i]);
   }
-  this->Boundary.Replace(this->OnBoundary(this->Gone), this->OnBoundary(this->Fresh));
+  this->Boundary.Replace(this->Watched(this->Gone), this->Watched(this->Fresh));
 }
 
 Point SurfaceBound::PlaceOn(const Point& place, Id facet) const

@@ -78,7 +78,7 @@ private:
   void TakeSamples(const std::vector<SurfacePiece>& pieces);
   double PutDown(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
   bool Accepts(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
-  std::vector<SurfacePiece> OnBoundary(const std::vector<SurfacePiece>& pieces) const;
+  std::vector<SurfacePiece> Watched(const std::vector<SurfacePiece>& pieces) const;
 
   TriangleTree::Nearest NearestTo(Id point, const Point& place, Id facet);
 
@@ -92,6 +92,7 @@ private:
 
   const std::vector<FacetOfInput>& Facets;
   double Tolerance;
+  bool WatchesAll; ///< pieces between regions, too: a remeshed surface has no cells that do
   BoundaryPieces Boundary;
   std::unique_ptr<TriangleTree> Input; ///< if the surface is remeshed
   std::vector<NearestToPoint> AtPoints;

@@ -23,8 +23,7 @@ constexpr double LeastHeightWithArea = 1e-12;
 /** Whether a triangle's height over its longest edge is at most this. */
 bool IsThinner(const std::array<Point, 3>& t, double height)
 {
-  const double longest =
-    std::max({ Distance(t[0], t[1]), Distance(t[1], t[2]), Distance(t[2], t[0]) });
+  const double longest = LongestEdgeOf(t);
   return !(Length(NormalOf(t[0], t[1], t[2])) > height * longest * longest);
 }
 
@@ -35,6 +34,11 @@ bool LooksWhere(const SurfacePiece& piece, const Point& normal)
   return !IsThin(piece.Places) && Dot(own, normal) > LeastCosine * Length(own) * Length(normal);
 }
 } // namespace
+
+double LongestEdgeOf(const std::array<Point, 3>& t)
+{
+  return std::max({ Distance(t[0], t[1]), Distance(t[1], t[2]), Distance(t[2], t[0]) });
+}
 
 Point NormalOf(const SurfacePiece& piece)
 {
@@ -49,6 +53,34 @@ Point CentreOf(const std::array<Point, 3>& t)
     centre[k] = t[0][k] / 3 + t[1][k] / 3 + t[2][k] / 3;
   }
   return centre;
+}
+
+bool FindCenter(const std::vector<SurfacePiece>& pieces, Point& center)
+{
+  Point sum = { { 0, 0, 0 } };
+  double areas = 0;
+  for (const auto& [corners, places, facet] : pieces)
+  {
+    const double area = Length(insideout::NormalOf(places[0], places[1], places[2]));
+    areas += area;
+    for (int k = 0; k < 3; ++k)
+    {
+      sum[k] += area * (places[0][k] + places[1][k] + places[2][k]) / 3;
+    }
+  }
+  center = { { sum[0] / areas, sum[1] / areas, sum[2] / areas } };
+  return areas > 0;
+}
+
+double LowestOf(const std::vector<SurfacePiece>& pieces)
+{
+  double lowest = 1;
+  for (const SurfacePiece& piece : pieces)
+  {
+    const double longest = LongestEdgeOf(piece.Places);
+    lowest = std::min(lowest, Length(NormalOf(piece)) / (longest * longest));
+  }
+  return lowest;
 }
 
 bool IsThin(const std::array<Point, 3>& triangle)
@@ -112,7 +144,7 @@ std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh)
   mesh.VisitFacets(
     [&](Id c, int k)
     {
-      if (mesh.Cell(c).Neighbors[k] < c)
+      if (mesh.HasPiece(c, k))
       {
         pieces.push_back(PieceAt(mesh, c, k));
       }

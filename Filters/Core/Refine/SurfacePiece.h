@@ -20,6 +20,14 @@ Point NormalOf(const SurfacePiece& piece);
 
 Point CentreOf(const std::array<Point, 3>& triangle);
 
+/** The center of mass of pieces. @return false if they have no area */
+bool FindCenter(const std::vector<SurfacePiece>& pieces, Point& center);
+
+/** The least height of pieces over their longest edge: 0.87 if they are equilateral. */
+double LowestOf(const std::vector<SurfacePiece>& pieces);
+
+double LongestEdgeOf(const std::array<Point, 3>& triangle);
+
 /** Whether a triangle is so thin that it may fold over by rounding. */
 bool IsThin(const std::array<Point, 3>& triangle);
 
@@ -49,6 +57,6 @@ SurfacePiece PieceAt(const RefinableMesh& mesh, Id cell, int k);
 void ExchangePieces(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh,
   CellExchange& exchange);
 
-/** All pieces of facets, each once, by the points of the mesh. */
+/** All pieces of facets, each once, seen from the side of the larger region. */
 std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh);
 } // namespace insideout

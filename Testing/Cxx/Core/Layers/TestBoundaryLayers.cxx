@@ -382,8 +382,11 @@ TEST(BoundaryLayers, HaveFullHeightInACube)
 
 TEST(BoundaryLayers, LeaveGoodCellsBehindThickLayers)
 {
-  // Layers of six tenths of a cube's half width, twice and three times as long as edges are.
-  for (const double length : { 60.0, 40.0 })
+  // Layers of six tenths of a cube's half width, twice to three times as long as edges are. Where
+  // the last ones end is chance.
+  double sum = 0;
+  const std::vector<double> lengths = { 60, 55, 50, 45, 40 };
+  for (const double length : lengths)
   {
     Monitor monitor;
     RefinementParameters parameters;
@@ -397,8 +400,10 @@ TEST(BoundaryLayers, LeaveGoodCellsBehindThickLayers)
     EXPECT_GT(StatisticOf(layered, "MeanHeightShare"), 0.8);
     const MeshQuality quality =
       QualityOfMesh(layered.Points, layered.Tetrahedra, monitor, { "measuring", 0, 1 });
-    EXPECT_GT(quality.DihedralAngle1Percent, 15) << length;
+    EXPECT_GT(quality.DihedralAngle1Percent, 12) << length;
+    sum += quality.DihedralAngle1Percent;
   }
+  EXPECT_GT(sum / static_cast<double>(lengths.size()), 18);
 }
 
 TEST(BoundaryLayers, LeaveAThirdOfAGap)
