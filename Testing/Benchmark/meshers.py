@@ -266,7 +266,7 @@ TREATMENTS = ("kept", "split", "remeshed")  # of the surface
 
 def _refinement(treatment: str, settings: list[str]) -> Mesher:
     mesh = f"{treatment}.vtu"
-    command = [PYTHON, __file__, "refine", "solid.vtu", mesh, f"Surface={treatment.upper()}", *settings]
+    command = [PYTHON, __file__, "refine", "solid.vtu", mesh, f"SurfaceTreatment={treatment.upper()}", *settings]
     return Mesher(f"ours, {treatment}", None, lambda: True, lambda _: command, mesh, _told_seconds)
 
 

@@ -25,8 +25,8 @@ constexpr double LeastHeight = 0.2;
 constexpr double MostHeightsWhereWanted = 3;
 constexpr double MostHeightsBetweenRidges = 20;
 
-/** Relative to the tolerance: lengths are not reduced further. A ball of this diameter can have
- * triangles as large as itself. */
+/** Relative to the tolerance: lengths are not reduced further. The middle of such an edge is one
+ * tolerance away from an arc whose radius is three. */
 constexpr double LeastLength = 5;
 
 bool Has(const Triangle& corners, Id point)
