@@ -46,6 +46,9 @@ constexpr std::size_t LargestCavity = 25;
 /** Limit of an edge's length, relative to the wanted one, when a point is removed. */
 constexpr double LongestEdge = 1.8;
 
+/** The same for edges that are split after the last pass, whose cells are not improved any more. */
+constexpr double LongestEdgeInTheEnd = 2;
+
 /** Degrees. If the surface is remeshed to wanted lengths, interior edges that are still too long
  * get a midpoint. No cell may get an angle smaller than this and than the old ones. */
 constexpr double AngleAmidLongEdge = 10;
@@ -114,8 +117,9 @@ public:
 
   /**
    * Split interior edges that are far too long, if lengths are wanted and the surface follows them.
+   * @param[in] longest relative to the wanted length
    */
-  void CutLongEdges()
+  void CutLongEdges(double longest)
   {
     const Id count = this->IsRemeshed && this->Sizes.IsAskedFor() ? this->Mesh.NumberOfCells() : 0;
     for (Id cell = 0; cell < count; ++cell)
@@ -126,19 +130,19 @@ public:
       {
         if (!this->Mesh.IsDead(cell) && this->Mesh.Cell(cell).Version == version)
         {
-          this->CutIfLong(cell, corners[i], corners[j]);
+          this->CutIfLong(cell, corners[i], corners[j], longest);
         }
       }
     }
   }
 
 private:
-  void CutIfLong(Id cell, Id u, Id v)
+  void CutIfLong(Id cell, Id u, Id v, double longest)
   {
     const std::vector<Point>& points = this->Mesh.Points;
     const Point middle = Midpoint(points[u], points[v]);
     const double size = this->Sizes.At(cell, middle);
-    if (!(Distance(points[u], points[v]) > LongestEdge * size) ||
+    if (!(Distance(points[u], points[v]) > longest * size) ||
       !this->Insert.Find(cell, middle, LargestCavityAmidLongEdge))
     {
       return;
@@ -277,7 +281,7 @@ void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& 
   {
     if (pass >= FirstPassOfLongEdges)
     {
-      improvement.CutLongEdges();
+      improvement.CutLongEdges(LongestEdge);
     }
     const std::vector<std::pair<double, Id>> cells = improvement.BadCells(since);
     const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(pass) / passes),
@@ -289,5 +293,6 @@ void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& 
       improvement.Improve(cells[i].second, pass > 0);
     }
   }
+  improvement.CutLongEdges(LongestEdgeInTheEnd);
 }
 } // namespace insideout

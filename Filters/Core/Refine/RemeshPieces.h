@@ -11,10 +11,10 @@
 namespace insideout
 {
 /**
- * Remesh a surface to the sizes at its points, without regard to the cells, which are then those of
- * the surface before: long edges are split, short ones contracted, diagonals flipped, points moved,
- * in several rounds (Botsch, Kobbelt 2004, A Remeshing Approach to Multiresolution Modeling).
- * SurfaceBound decides about each step.
+ * Remesh a surface to the sizes at its points: split long edges, contract short ones, flip
+ * diagonals and move points, in several rounds (Botsch, Kobbelt 2004, A Remeshing Approach to
+ * Multiresolution Modeling). SurfaceBound decides about each step. The cells do not follow:
+ * FillBetweenPieces makes others.
  *
  * @param[in] tolerance of the surface: a few times this is the least length
  * @param[in,out] mesh gets points and sizes; its cells stay as they are
