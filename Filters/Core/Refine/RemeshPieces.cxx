@@ -339,7 +339,8 @@ private:
 
   bool Turn(const Edge& ends)
   {
-    const auto [u, v] = ends;
+    const Id u = ends[0];
+    const Id v = ends[1];
     if (this->Surface.IsRidge(u, v))
     {
       return false;
