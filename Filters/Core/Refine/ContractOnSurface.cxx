@@ -210,10 +210,7 @@ bool SurfaceContraction::Contract(Id point, Id target, double wanted, double lon
   {
     return false;
   }
-  if (isRidge)
-  {
-    this->Surface.Contract(point, target);
-  }
+  this->Surface.Contract(point, target);
   this->Replace();
   return true;
 }

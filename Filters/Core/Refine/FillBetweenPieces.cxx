@@ -6,7 +6,6 @@
 #include "Tetrahedralize/AssembleMesh.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace insideout
 {
@@ -154,8 +153,20 @@ bool FillBetweenPieces(RefinableMesh& mesh, const std::vector<SurfacePiece>& pie
   const std::vector<FacetOfInput>& facets, const std::vector<Id>& regions, SizingField& sizes,
   Monitor& monitor, const ProgressRange& progress)
 {
-  QuietMonitor quiet(monitor, progress);
-  Hull hull = MakeHull(mesh.Points, pieces, quiet);
+  Hull hull;
+  try
+  {
+    QuietMonitor quiet(monitor, progress);
+    hull = MakeHull(mesh.Points, pieces, quiet);
+  }
+  catch (const Error& error)
+  {
+    if (error.Code != ErrorCode::Inconsistent && error.Code != ErrorCode::Planar)
+    {
+      throw;
+    }
+    return false;
+  }
   const TetrahedralMesh& cells = hull.Cells;
   if (!cells.LostFacets.empty() || cells.NumberOfSurfaceSteinerPoints > 0)
   {
@@ -176,13 +187,23 @@ bool FillBetweenPieces(RefinableMesh& mesh, const std::vector<SurfacePiece>& pie
       within.push_back(c);
     }
   }
+  std::vector<Id> regionsAt(cells.Points.size(), None);
+  for (const Id c : within)
+  {
+    for (const Id corner : cells.Cells[c])
+    {
+      regionsAt[corner] = sides[c].Region;
+    }
+  }
   for (std::size_t p = hull.Points.size(); p < cells.Points.size(); ++p)
   {
-    // Its size follows from the surface.
-    const Id near = hull.Points.front();
-    sizes.AppendBetween(near, near, cells.Points[p]);
-    hull.Points.push_back(
-      mesh.AddPoint(cells.Points[p], PointKind::Free, std::numeric_limits<double>::infinity()));
+    Id point = None; // outside
+    if (regionsAt[p] != None)
+    {
+      const double size = sizes.AppendIn(regionsAt[p], cells.Points[p]);
+      point = mesh.AddPoint(cells.Points[p], PointKind::Free, size);
+    }
+    hull.Points.push_back(point);
   }
   mesh.SetAllCells(within.size(),
     [&](Id number)

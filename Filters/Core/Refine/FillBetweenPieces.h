@@ -17,6 +17,7 @@ namespace insideout
  * @param[in,out] mesh keeps its points and gets the Steiner points of the cells
  * @param[in] pieces of the surface, whose facets tell the regions on both sides
  * @param[in] regions per cell of the input; empty: all are one
+ * @param[in,out] sizes has no lengths given at points, which inner points would lose
  * @return false if the cells would not have all pieces as faces, or if regions contradict each
  * other; the mesh is unchanged then
  * @throws Error Stopped

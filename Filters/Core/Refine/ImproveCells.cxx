@@ -22,8 +22,7 @@ namespace
  * value spends most of the time on good cells. */
 constexpr double GoodAngle = 22;
 
-/** The same where the surface is remeshed and obstructs less. Points move far for such angles, so
- * lengths that are wanted take precedence. */
+/** The same where the surface is remeshed and obstructs less. */
 constexpr double GoodAngleWhereRemeshed = 30;
 
 /** Cells with an angle below this, in degrees, may be improved by an additional point. */

@@ -84,7 +84,7 @@ public:
    */
   bool MayLeave(Id point) const;
 
-  /** Update: a point is contracted into the next one; its ridges continue from there. */
+  /** Update: a point is contracted into the next one; its ridges, if any, continue from there. */
   void Contract(Id point, Id target);
 
 private:

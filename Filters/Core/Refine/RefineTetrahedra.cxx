@@ -189,7 +189,8 @@ void PutInPatches(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets)
 
 /** Refine the mesh; its surface is treated as requested, except for locked facets.
  * @param[in] regions per cell of the input
- * @param[in] mayFill whether cells may be made anew; then it may fail, and the mesh is of no use
+ * @param[in] mayFill whether cells may be made anew
+ * @return false if that was not possible; the mesh is of no use then
  */
 bool Run(RefinableMesh& refinable, const std::vector<Id>& regions, SurfaceOfRun& run,
   const RefinementParameters& parameters, bool mayFill, Monitor& monitor)
@@ -264,8 +265,9 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
     JoinCoplanar(mesh, run.Locked, run.Facets);
     PutInPatches(refinable, run.Facets);
   }
+  // New cells have no faces that cross, and no inner points with lengths of their own.
   const bool mayFill = parameters.Surface == SurfaceTreatment::Remeshed &&
-    run.NumberOfLocked() == 0; // facets that cross are no faces of a mesh
+    run.NumberOfLocked() == 0 && parameters.Sizes.Lengths.empty();
   if (!Run(refinable, regions, run, parameters, mayFill, monitor))
   {
     refinable = MakeRefinable(mesh, regions, run.Facets);

@@ -200,8 +200,8 @@ private:
     return edges;
   }
 
-  /** Whether pieces at the ends have changed since the last call: otherwise the result is the same.
-   */
+  /** Whether pieces at the ends have changed since the last call: otherwise the result is the same,
+   * for sizes never grow. */
   bool HasChanged(const Edge& ends)
   {
     const auto [tried, isNew] = this->TriedAt.emplace(ends, 0);
@@ -329,10 +329,7 @@ private:
     {
       return false;
     }
-    if (isRidge)
-    {
-      this->Surface.Contract(point, target);
-    }
+    this->Surface.Contract(point, target);
     this->Replace();
     return true;
   }

@@ -291,6 +291,14 @@ double SizingField::AppendBetween(Id u, Id v, const Point& place)
   return result.Both();
 }
 
+double SizingField::AppendIn(Id region, const Point& place)
+{
+  const double length = this->LengthOfRegion(region);
+  this->AtPoints.push_back(
+    { Infinite, std::min(this->WantedAt(place, Infinite), length), Infinite, length });
+  return this->AtPoints.back().Both();
+}
+
 double SizingField::EstimatedCells() const
 {
   double cells = 0;

@@ -87,6 +87,9 @@ public:
   /** The same for a point between two others. @return its size */
   double AppendBetween(Id u, Id v, const Point& place);
 
+  /** The same for a point in a region, regardless of the surface, until FollowSurface. */
+  double AppendIn(Id region, const Point& place);
+
   /** Estimated number of cells of a mesh with these sizes. */
   double EstimatedCells() const;
 

@@ -36,10 +36,11 @@ std::vector<LabelledTriangle> TrianglesOf(const std::vector<FacetOfInput>& facet
 
 /**
  * Decides which pieces of a surface may replace others: on the boundary, pieces that cross no
- * other. A remeshed surface also stays near the input's, both ways: no point of it is farther from
- * the input than the tolerance, nor are the corners, midpoints of edges and centers of the input's
- * facets from it. Each of these samples is tracked to its nearest piece (Hu et al. 2017,
- * Error-Bounded and Feature Preserving Surface Remeshing with Minimal Angle Improvement).
+ * other. A remeshed surface also crosses itself nowhere between regions, and stays near the
+ * input's, both ways: no point of it is farther from the input than the tolerance, nor are the
+ * corners, midpoints of edges and centers of the input's facets from it. Each of these samples is
+ * tracked to its nearest piece (Hu et al. 2017, Error-Bounded and Feature Preserving Surface
+ * Remeshing with Minimal Angle Improvement).
  */
 class SurfaceBound
 {

@@ -262,6 +262,23 @@ TEST(RemeshedSurface, FollowsALinearFieldAtPointsAndAnywhere)
   }
 }
 
+TEST(RemeshedSurface, FollowsLengthsOfInnerPoints)
+{
+  const TetrahedralMesh cube = EvenGrid(4);
+  const auto isInside = [](const Point& p, double rim)
+  { return std::all_of(p.begin(), p.end(), [&](double x) { return x > rim && x < 400 - rim; }); };
+  RefinementParameters parameters = Remeshed(5, 0);
+  for (const Point& p : cube.Points)
+  {
+    parameters.Sizes.Lengths.push_back(isInside(p, 0) ? 30 : 100);
+  }
+  const RefinedMesh refined = Refined(cube, {}, parameters);
+  // The surface's lengths alone leave some eight points there.
+  EXPECT_GT(std::count_if(refined.Points.begin(), refined.Points.end(),
+              [&](const Point& p) { return isInside(p, 100); }),
+    150);
+}
+
 TEST(RemeshedSurface, KeepsTheEdgesOfACubeAndThoseBetweenLabels)
 {
   const TetrahedralMesh cube = EvenGrid(5);
