@@ -129,11 +129,14 @@ public:
    * REMESHED if EdgeLength, SizeRules or SizingArrayName is given, else KEPT. Default AUTOMATIC. If
    * a surface kept so leaves cells that a solver refuses, AUTOMATIC removes its needles lower than
    * a millionth of the longest edge of its box. Areas by tag and volumes by region stay within a
-   * millionth. If needles still leave such cells, and there is one tag and region, it takes
-   * REMESHED. It does each if fewer cells are refused, with a warning. SPLIT keeps all points; the
-   * pieces lie in the triangles' planes, within rounding, where coplanar triangles with the same
-   * cell data join. REMESHED keeps edges above FeatureAngle, and triangles whose replacement would
-   * touch another part of the boundary.
+   * millionth. If such cells are left, it takes REMESHED, unless areas and volumes have names (two
+   * tags beside that of holes; named or touching regions) or there are more than 100,000 cells. It
+   * does each if fewer cells are refused, with a warning. SPLIT keeps all points; the pieces lie in
+   * the triangles' planes, within rounding, where coplanar triangles with the same cell data join.
+   * REMESHED keeps edges above FeatureAngle, but joins corners of theirs that are closer than the
+   * requested length and need not stay for SurfaceTolerance. Triangles that close holes and are
+   * within it of others join these. Triangles stay whose replacement would touch another part of
+   * the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);

@@ -179,8 +179,7 @@ std::string BytesAt(vtkAbstractArray* array, vtkIdType triangle)
 }
 } // namespace
 
-std::vector<std::array<Id, 4>> LabelsOf(
-  const TetrahedralMesh& mesh, const std::vector<Id>& regions, vtkPolyData* boundary)
+std::vector<Id> TagsOf(vtkPolyData* boundary)
 {
   vtkDataArray* tags = boundary->GetCellData()->GetArray("BoundaryTag");
   std::vector<Id> numbers;
@@ -188,7 +187,27 @@ std::vector<std::array<Id, 4>> LabelsOf(
   {
     numbers.push_back(static_cast<Id>(tags->GetComponent(t, 0)));
   }
-  return OnFaces(mesh, regions, numbers);
+  return numbers;
+}
+
+std::vector<std::array<Id, 4>> LabelsOf(
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, vtkPolyData* boundary)
+{
+  return OnFaces(mesh, regions, TagsOf(boundary));
+}
+
+Id LabelOfHoles(vtkPolyData* boundary)
+{
+  vtkDataArray* tags = boundary->GetCellData()->GetArray("BoundaryTag");
+  vtkDataArray* origins = boundary->GetCellData()->GetArray("vtkOriginalCellIds");
+  for (vtkIdType t = 0; tags && origins && t < boundary->GetNumberOfCells(); ++t)
+  {
+    if (origins->GetComponent(t, 0) < 0)
+    {
+      return static_cast<Id>(tags->GetComponent(t, 0));
+    }
+  }
+  return None;
 }
 
 std::vector<std::array<Id, 4>> AttributesOf(

@@ -27,7 +27,15 @@ std::array<double, 4> WeightsIn(
 std::vector<std::array<insideout::Id, 4>> LabelsOf(const insideout::TetrahedralMesh& mesh,
   const std::vector<insideout::Id>& regions, vtkPolyData* boundary);
 
-/** The same for all cell data but vtkOriginalCellIds: the same number where these are the same. */
+/** The tag of each triangle; none without BoundaryTag. */
+std::vector<insideout::Id> TagsOf(vtkPolyData* boundary);
+
+/** The tag of triangles that close holes: those with no triangle of the input in
+ * vtkOriginalCellIds. None if there are none. */
+insideout::Id LabelOfHoles(vtkPolyData* boundary);
+
+/** As LabelsOf, for all cell data but vtkOriginalCellIds: the same number where these are the same.
+ */
 std::vector<std::array<insideout::Id, 4>> AttributesOf(const insideout::TetrahedralMesh& mesh,
   const std::vector<insideout::Id>& regions, vtkPolyData* boundary);
 

@@ -437,6 +437,7 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   if (boundary && needsTags)
   {
     parameters.Labels = LabelsOf(mesh, ownRegions, boundary);
+    parameters.LabelOfHoles = LabelOfHoles(boundary);
   }
   if (boundary && parameters.Surface == SurfaceTreatment::Split)
   {
@@ -495,6 +496,10 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
 /** Limit of the relative change of a tag's area and a region's volume by mending. */
 constexpr double LargestChangeByName = 1e-6;
 
+/** Limit of cells of a kept surface for remeshing it unasked: it may take minutes, and be in vain.
+ */
+constexpr Id MostCellsOfTrial = 100000;
+
 /** A message that another treatment was chosen than to keep the surface, and why. */
 std::string WordsOfTreatment(
   const Refinement& kept, const std::string& treatment, const Refinement& treated)
@@ -505,12 +510,26 @@ std::string WordsOfTreatment(
     " are left; set SurfaceTreatment to Kept to leave it";
 }
 
-/** Whether there are several tags or regions: their areas and volumes are to stay. */
+/** Whether areas and volumes are to stay: there are several tags of triangles that close no hole,
+ * several named regions, or two that touch. */
 bool HasSeveralNames(vtkUnstructuredGrid* grid, vtkPolyData* boundary)
 {
+  std::vector<Id> tags = boundary ? TagsOf(boundary) : std::vector<Id>();
+  SortUniquely(tags);
+  const std::ptrdiff_t holes =
+    boundary ? std::count(tags.begin(), tags.end(), LabelOfHoles(boundary)) : 0;
   const std::vector<Id> regions = ReadRegions(grid);
-  return (boundary && NamesByNumber(boundary->GetFieldData(), "BoundaryTagNames").size() > 1) ||
-    std::any_of(regions.begin(), regions.end(), [&](Id region) { return region != regions[0]; });
+  const TetrahedralMesh mesh = ReadTetrahedra(grid);
+  bool doTouch = false;
+  for (std::size_t c = 0; c < regions.size(); ++c)
+  {
+    for (const Id neighbor : mesh.Neighbors[c])
+    {
+      doTouch |= neighbor != None && regions[neighbor] != regions[c];
+    }
+  }
+  return static_cast<std::ptrdiff_t>(tags.size()) - holes > 1 || doTouch ||
+    NamesByNumber(grid->GetFieldData(), "RegionNames").size() > 1;
 }
 } // namespace
 
@@ -536,19 +555,19 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
     best = mended;
     best.Warnings.push_back(WordsOfTreatment(kept, words.str(), best));
   }
-  if (best.Fitness.RefusedOnNeedles > 0 && !HasSeveralNames(grid, boundary))
+  if (best.Fitness.RefusedCells > 0 && kept.Fitness.Cells <= MostCellsOfTrial &&
+    !HasSeveralNames(grid, boundary))
   {
     other.MendsSurface = false;
     other.Surface = SurfaceTreatment::Remeshed; // split needles are needles still
     Refinement remeshed = RefineAsGiven(grid, boundary, other, quadratic, monitor);
-    if (remeshed.Fitness.RefusedOnNeedles < best.Fitness.RefusedOnNeedles &&
-      remeshed.Fitness.RefusedCells < best.Fitness.RefusedCells)
+    if (remeshed.Fitness.RefusedCells < best.Fitness.RefusedCells)
     {
       best = remeshed;
-      best.Warnings.push_back(WordsOfTreatment(kept,
-        ", " + std::to_string(kept.Fitness.RefusedOnNeedles) +
-          " of them on its needles: it is remeshed, and",
-        best));
+      std::ostringstream words;
+      words << ": it is remeshed, within " << std::setprecision(3)
+            << StatisticOf(remeshed.Statistics, "SurfaceTolerance") << ", and";
+      best.Warnings.push_back(WordsOfTreatment(kept, words.str(), best));
     }
   }
   return best;

@@ -170,21 +170,6 @@ bool SurfaceContraction::Approach(Id point, Id target, double wanted)
     this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(), target);
 }
 
-/** Whether each label of a piece that vanishes remains on another piece nearby, where its area is
- * more than a rounding error. */
-bool SurfaceContraction::KeepsLabels() const
-{
-  const auto labelOf = [&](const SurfacePiece& piece)
-  { return this->Surface.Facet(piece.Facet).Label; };
-  return std::all_of(this->Gone.begin(), this->Gone.end(),
-    [&](const SurfacePiece& gone)
-    {
-      return HasNoArea(gone.Places) ||
-        std::any_of(this->Moved.begin(), this->Moved.end(),
-          [&](const SurfacePiece& moved) { return labelOf(moved) == labelOf(gone); });
-    });
-}
-
 void SurfaceContraction::Replace()
 {
   ExchangePieces(this->Gone, this->Fresh, this->Exchange);
@@ -223,7 +208,8 @@ bool SurfaceContraction::ContractStep(Id point, Id target, double wanted)
     return false;
   }
   this->MakePieces(point, target);
-  if (!this->KeepsLabels() || !this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh))
+  if (!this->KeepsLabels(this->Gone, this->Moved) ||
+    !this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh))
   {
     return false;
   }

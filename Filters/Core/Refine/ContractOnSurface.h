@@ -50,7 +50,6 @@ private:
   bool MakeCells(Id point, Id target, double wanted);
   bool Approach(Id point, Id target, double wanted);
   void MakePieces(Id point, Id target);
-  bool KeepsLabels() const;
   void Replace();
 
   Around OfPoint;

@@ -13,6 +13,7 @@
 #include "Refine/FillWithPoints.h"
 #include "Refine/ImproveCells.h"
 #include "Refine/JoinCoplanar.h"
+#include "Refine/JoinThinHoles.h"
 #include "Refine/LocateCells.h"
 #include "Refine/MakeRefinable.h"
 #include "Refine/MendNeedles.h"
@@ -264,6 +265,10 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
   {
     JoinCoplanar(mesh, run.Locked, run.Facets);
     PutInPatches(refinable, run.Facets);
+  }
+  else if (parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    JoinThinHoles(regions, parameters, run.Tolerance, run.Facets);
   }
   // New cells have no faces that cross, and no inner points with lengths of their own.
   const bool mayFill = parameters.Surface == SurfaceTreatment::Remeshed &&

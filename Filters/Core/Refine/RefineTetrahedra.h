@@ -47,13 +47,17 @@ struct RefinementParameters
   double SurfaceTolerance = 0;
   static constexpr double DefaultTolerance = 1e-3;
 
-  /** Remeshed: edges stay where the normals' angle exceeds this, except at steps lower than the
-   * tolerance; in degrees. */
+  /** Remeshed: edges stay where the normals' angle exceeds this, except where they are shorter than
+   * wanted and need not stay for the tolerance; in degrees. */
   double FeatureAngle = 30;
 
   /** For Remeshed, MendsSurface and size rules, a label per face of each cell; edges between faces
    * with different labels stay. Empty: all faces have the same number. */
   std::vector<std::array<Id, 4>> Labels;
+
+  /** The label of faces that close holes, if any. Remeshed: those within the tolerance of others
+   * join these (JoinThinHoles). */
+  Id LabelOfHoles = None;
 
   /** The same for Split: coplanar faces with different numbers do not join. */
   std::vector<std::array<Id, 4>> Attributes;

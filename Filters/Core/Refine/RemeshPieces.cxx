@@ -19,10 +19,9 @@ namespace
 constexpr double LeastHeight = 0.2;
 
 /**
- * As MostHeights, where lengths are wanted: these are followed more closely, and most closely on
- * narrow sides between ridges, whose triangles are thin if edges are as long as wanted.
+ * As MostHeights, where lengths are wanted, on narrow sides between ridges, whose triangles are
+ * thin if edges are as long as wanted.
  */
-constexpr double MostHeightsWhereWanted = 3;
 constexpr double MostHeightsBetweenRidges = 20;
 
 /** Relative to the tolerance: lengths are not reduced further. The middle of such an edge is one
@@ -75,9 +74,9 @@ public:
     std::vector<double> heights;
     for (const SurfacePiece& piece : pieces)
     {
-      heights.push_back(!this->Sizes.ReplacesSurface() ? MostHeights
-          : this->IsBetweenRidges(piece)               ? MostHeightsBetweenRidges
-                                                       : MostHeightsWhereWanted);
+      heights.push_back(this->Sizes.ReplacesSurface() && this->IsBetweenRidges(piece)
+          ? MostHeightsBetweenRidges
+          : MostHeights);
     }
     this->Sizes.ShortenAtThinTriangles(pieces, heights, least);
   }
@@ -111,9 +110,10 @@ public:
     {
       looked.Check(i);
       const auto [u, v] = edges[i].Ends;
-      if (this->IsThere(edges[i]) && this->HasChanged(edges[i].Ends) && !this->Contract(u, v))
+      if (this->IsThere(edges[i]) && this->HasChanged(edges[i].Ends) && !this->Contract(u, v) &&
+        !this->Contract(v, u) && !this->ContractCorner(u, v))
       {
-        this->Contract(v, u);
+        this->ContractCorner(v, u);
       }
     }
   }
@@ -278,15 +278,46 @@ private:
     return link;
   }
 
-  /** Contract a point into a neighbor, if the surface keeps its topology (the link conditions of
-   * Dey et al. 1999) and its ridges. */
+  /** Contract a point into a neighbor, if the surface keeps its ridges. */
   bool Contract(Id point, Id target)
   {
-    if (!this->Surface.MayContract(point, target))
+    if (!this->Surface.MayContract(point, target) || !this->TakeContracted(point, target))
     {
       return false;
     }
-    const bool isRidge = this->Surface.IsRidge(point, target);
+    const bool isAllowed = this->Surface.IsRidge(point, target)
+      ? this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh)
+      : LowestOf(this->Fresh) >= std::min(LeastHeight, LowestOf(this->Gone)) &&
+        this->Bound.Allows(this->Gone, this->Fresh);
+    if (isAllowed)
+    {
+      this->Surface.Contract(point, target);
+      this->Replace();
+    }
+    return isAllowed;
+  }
+
+  /** Contract a point of ridges that need not follow one of them, with all of them: where they are
+   * finer than the tolerance. */
+  bool ContractCorner(Id point, Id target)
+  {
+    if (this->Mesh.Kinds[point] == PointKind::InFacet || !this->Surface.MayLeave(point) ||
+      this->Surface.IsPinched(target) || !this->TakeContracted(point, target) ||
+      !this->KeepsLabels(this->Gone, this->Moved) ||
+      !this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh))
+    {
+      return false;
+    }
+    this->Surface.Contract(point, target);
+    this->Mesh.Kinds[target] = PointKind::Fixed;
+    this->Replace();
+    return true;
+  }
+
+  /** Take the pieces that a contraction changes. @return whether the surface keeps its topology
+   * (the link conditions of Dey et al. 1999), and no edge gets too long */
+  bool TakeContracted(Id point, Id target)
+  {
     const Link ofPoint = this->LinkOf(point);
     const Link ofTarget = this->LinkOf(target);
     std::vector<Id> ofEdge;
@@ -314,23 +345,15 @@ private:
       return false;
     }
     this->Take(this->Pieces.At(point));
-    std::vector<SurfacePiece> moved;
+    this->Moved.clear();
     for (const SurfacePiece& piece : this->Gone)
     {
       if (!Has(piece.Corners, target))
       {
-        moved.push_back(piece);
+        this->Moved.push_back(piece);
         this->Fresh.push_back(With(piece, point, target, place));
       }
     }
-    if ((!isRidge && LowestOf(this->Fresh) < std::min(LeastHeight, LowestOf(this->Gone))) ||
-      !(isRidge ? this->Bound.AllowsEach(moved, this->Gone, this->Fresh)
-                : this->Bound.Allows(this->Gone, this->Fresh)))
-    {
-      return false;
-    }
-    this->Surface.Contract(point, target);
-    this->Replace();
     return true;
   }
 
@@ -408,6 +431,7 @@ private:
   SurfaceMesh Pieces;
   std::vector<Id> Old; ///< the pieces of a step
   std::vector<SurfacePiece> Gone;
+  std::vector<SurfacePiece> Moved; ///< by a contraction: each becomes a fresh one
   std::vector<SurfacePiece> Fresh;
   std::unordered_map<Edge, std::int64_t, HashOfEdge> TriedAt; ///< counted in changes
 };

@@ -21,6 +21,20 @@ Triangle KeyOf(const Triangle& corners)
 }
 } // namespace
 
+bool SurfaceOperator::KeepsLabels(
+  const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& moved) const
+{
+  const auto labelOf = [&](const SurfacePiece& piece)
+  { return this->Surface.Facet(piece.Facet).Label; };
+  return std::all_of(gone.begin(), gone.end(),
+    [&](const SurfacePiece& piece)
+    {
+      return HasNoArea(piece.Places) ||
+        std::any_of(moved.begin(), moved.end(),
+          [&](const SurfacePiece& other) { return labelOf(other) == labelOf(piece); });
+    });
+}
+
 std::vector<LabelledTriangle> TrianglesOf(const std::vector<FacetOfInput>& facets)
 {
   std::vector<LabelledTriangle> triangles;
@@ -82,12 +96,12 @@ std::vector<SurfacePiece> SurfaceBound::Watched(const std::vector<SurfacePiece>&
   return result;
 }
 
-/** Project the samples of gone pieces onto the nearest fresh ones. @return the largest distance */
-double SurfaceBound::PutDown(
-  const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
+/** Project the samples of gone pieces onto the nearest fresh ones. @return false for the first that
+ * is farther than a distance */
+bool SurfaceBound::PutDown(
+  const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh, double most)
 {
   this->AtFresh.assign(fresh.size(), {});
-  double largest = 0;
   for (const SurfacePiece& piece : gone)
   {
     const auto found = this->AtPieces.find(KeyOf(piece.Corners));
@@ -110,11 +124,14 @@ double SurfaceBound::PutDown(
           nearest = i;
         }
       }
-      largest = std::max(largest, least);
+      if (!(least <= most * most))
+      {
+        return false;
+      }
       this->AtFresh[nearest].push_back(sample);
     }
   }
-  return std::sqrt(largest);
+  return true;
 }
 
 bool SurfaceBound::Allows(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh)
@@ -136,7 +153,7 @@ bool SurfaceBound::AllowsEach(const std::vector<SurfacePiece>& moved,
 bool SurfaceBound::StaysNear(
   const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh)
 {
-  if (!(this->PutDown(gone, fresh) <= this->Tolerance))
+  if (!this->PutDown(gone, fresh, this->Tolerance))
   {
     return false;
   }
@@ -177,7 +194,7 @@ TriangleTree::Nearest SurfaceBound::NearestTo(Id point, const Point& place, Id f
 bool SurfaceBound::AllowsCut(
   const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
 {
-  this->PutDown(gone, fresh);
+  this->PutDown(gone, fresh, std::numeric_limits<double>::infinity());
   return this->Accepts(gone, fresh);
 }
 

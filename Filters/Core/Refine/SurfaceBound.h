@@ -26,6 +26,11 @@ public:
   }
 
 protected:
+  /** Whether each label of a piece that vanishes remains on another one nearby, where its area is
+   * more than a rounding error. */
+  bool KeepsLabels(
+    const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& moved) const;
+
   RefinableMesh& Mesh;
   RefinableSurface& Surface;
   SurfaceBound& Bound;
@@ -77,7 +82,8 @@ private:
   using Samples = std::vector<Id>;
   bool StaysNear(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh);
   void TakeSamples(const std::vector<SurfacePiece>& pieces);
-  double PutDown(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
+  bool PutDown(
+    const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh, double most);
   bool Accepts(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
   std::vector<SurfacePiece> Watched(const std::vector<SurfacePiece>& pieces) const;
 

@@ -270,3 +270,57 @@ TEST(SurfaceMesh, KnowsWhatIsAtPointsAndEdgesAfterAnyChanges)
     EXPECT_EQ(corners, 3 * there);
   }
 }
+
+TEST(RemeshedSurface, HasLongEdgesOnBordersThatBendByLessThanTheTolerance)
+{
+  // Two labels, whose border has a corner at each of its points.
+  TetrahedralMesh cube = EvenGrid(16);
+  for (Point& p : cube.Points)
+  {
+    const bool isOdd = std::fmod((p[1] + p[2]) / 100, 2) == 1;
+    p[0] = p[0] != 800 ? p[0] : isOdd ? 785 : 815;
+  }
+  cube = ConnectCells(cube.Points, cube.Cells);
+  RefinementParameters parameters;
+  parameters.Surface = SurfaceTreatment::Remeshed;
+  parameters.SurfaceTolerance = 40;
+  parameters.FeatureAngle = 20;
+  parameters.Sizes.EdgeLength = 800;
+  for (const Tetrahedron& cell : cube.Cells)
+  {
+    std::array<Id, 4> labels;
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto p = CornersOf(cube.Points, FaceOf(cell, k));
+      labels[k] = std::min({ p[0][0], p[1][0], p[2][0] }) < 750 ? 0 : 1;
+    }
+    parameters.Labels.push_back(labels);
+  }
+  Monitor monitor;
+  const RefinedMesh refined = RefineTetrahedra(cube, {}, parameters, monitor);
+  testmeshes::ExpectRemeshingLaws(cube, {}, refined, 40);
+  std::array<double, 2> areas = { { 0, 0 } };
+  std::set<Id> onBorder;
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (const Id face = refined.OriginalFaces[c][k]; face != None)
+      {
+        const Triangle corners = FaceOf(refined.Cells[c], k);
+        const auto [a, b, d] = CornersOf(refined.Points, corners);
+        areas[parameters.Labels[face / 4][face % 4]] += Length(NormalOf(a, b, d)) / 2;
+        for (const Id p : corners)
+        {
+          if (std::abs(refined.Points[p][0] - 800) < 60)
+          {
+            onBorder.insert(p);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_LT(onBorder.size(), 24U); // of 64
+  EXPECT_NEAR(areas[0] / (3 * 1600 * 1600), 1, 0.05);
+  EXPECT_NEAR(areas[1] / (3 * 1600 * 1600), 1, 0.05);
+}
