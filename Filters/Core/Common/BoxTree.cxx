@@ -112,6 +112,17 @@ BoxTree::BoxTree(const std::vector<Box>& given)
   }
 }
 
+BoxTree BoxTree::OfPoints(const std::vector<Point>& points)
+{
+  std::vector<Box> boxes;
+  boxes.reserve(points.size());
+  for (const Point& point : points)
+  {
+    boxes.push_back({ point, point });
+  }
+  return BoxTree(boxes);
+}
+
 std::vector<Id> BoxTree::SetsOfParts(const std::vector<Id>& setOf) const
 {
   std::vector<Id> sets(this->Nodes.size(), None);

@@ -15,6 +15,9 @@ class BoxTree
 public:
   explicit BoxTree(const std::vector<Box>& boxes);
 
+  /** The same over points. */
+  static BoxTree OfPoints(const std::vector<Point>& points);
+
   /** Call visit(i) for every box i that meets `box`, in a deterministic order. */
   template <class Visitor>
   void Visit(const Box& box, const Visitor& visit) const
@@ -151,6 +154,9 @@ public:
 
   /** The number of nodes, as arguments of VisitPairs and others. */
   Id NumberOfParts() const { return static_cast<Id>(this->Nodes.size()); }
+
+  /** Whether a node has no children; else the next node is the first of two. */
+  bool IsLeaf(Id part) const { return this->Nodes[part].Begin < this->Nodes[part].End; }
 
   /**
    * Call visit(i, j) for boxes i and j that meet. All nodes together give each pair once, in a

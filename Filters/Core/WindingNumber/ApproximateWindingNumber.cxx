@@ -13,8 +13,6 @@ namespace insideout
 {
 namespace
 {
-constexpr Id LeafSize = 4;
-
 /** Area times unit normal. */
 Point VectorArea(const std::array<Point, 3>& p)
 {
@@ -24,11 +22,12 @@ Point VectorArea(const std::array<Point, 3>& p)
 } // namespace
 
 ApproximateWindingNumber::ApproximateWindingNumber(const std::vector<Point>& points,
-  const std::vector<CountedTriangle>& triangles, int order, double accuracy)
+  std::vector<CountedTriangle> triangles, int order, double accuracy)
   : Points(points)
+  , Triangles(std::move(triangles))
   , Order(order)
   , Accuracy(accuracy)
-  , Tree(points, triangles, LeafSize)
+  , Tree(BoxTree::OfPoints(CentresOf(points, this->Triangles)))
 {
   if (order < 1 || order > 3)
   {
@@ -39,39 +38,40 @@ ApproximateWindingNumber::ApproximateWindingNumber(const std::vector<Point>& poi
   {
     throw Error(ErrorCode::InvalidParameter, "the accuracy of the approximation is below 1");
   }
-  this->Expansions.resize(this->Tree.Nodes.size());
-  // Each level of the tree contains each triangle once.
+  this->Expansions.resize(static_cast<std::size_t>(this->Tree.NumberOfParts()));
+  // Each level of the tree contains each triangle once, the last up to four in each node.
   const double size = static_cast<double>(this->Expansions.size());
   const double nanosecondsPerTriangle = 20;
-  const double nanosecondsPerNode = nanosecondsPerTriangle * LeafSize * std::log2(size + 1);
+  const double nanosecondsPerNode = 4 * nanosecondsPerTriangle * std::log2(size + 1);
   ParallelLoop(this->Expansions.size(), nanosecondsPerNode,
-    [&](std::size_t i) { this->Expansions[i] = this->Expand(this->Tree.Nodes[i]); });
+    [&](std::size_t i) { this->Expansions[i] = this->Expand(static_cast<Id>(i)); });
 }
 
-ApproximateWindingNumber::Expansion ApproximateWindingNumber::Expand(
-  const FacetTree::Node& node) const
+ApproximateWindingNumber::Expansion ApproximateWindingNumber::Expand(Id part) const
 {
   FarField field;
   double area = 0;
-  for (Id i = node.Begin; i < node.End; ++i)
+  Point somewhere = {};
+  const auto addToMean = [&](Id i)
   {
-    const std::array<Point, 3> p = CornersOf(this->Points, this->Tree.Triangles[i].Corners);
+    const std::array<Point, 3> p = CornersOf(this->Points, this->Triangles[i].Corners);
     const double weight = Length(VectorArea(p));
     area += weight;
+    somewhere = p[0];
     for (int axis = 0; axis < 3; ++axis)
     {
       field.Centre[axis] += weight * (p[0][axis] + p[1][axis] + p[2][axis]) / 3;
     }
-  }
+  };
+  this->Tree.VisitPart(part, addToMean);
   for (int axis = 0; axis < 3; ++axis)
   {
-    field.Centre[axis] =
-      area > 0 ? field.Centre[axis] / area : node.Bounds.Low[axis] / 2 + node.Bounds.High[axis] / 2;
+    field.Centre[axis] = area > 0 ? field.Centre[axis] / area : somewhere[axis];
   }
   double squaredRadius = 0;
-  for (Id i = node.Begin; i < node.End; ++i)
+  const auto addToField = [&](Id i)
   {
-    const CountedTriangle& triangle = this->Tree.Triangles[i];
+    const CountedTriangle& triangle = this->Triangles[i];
     std::array<Point, 3> d = CornersOf(this->Points, triangle.Corners);
     Point n = VectorArea(d);
     Point sum = { 0, 0, 0 };
@@ -96,44 +96,28 @@ ApproximateWindingNumber::Expansion ApproximateWindingNumber::Expand(
       x *= triangle.Count;
     }
     field.Add(n, { sum[0] / 3, sum[1] / 3, sum[2] / 3 }, products);
-  }
+  };
+  this->Tree.VisitPart(part, addToField);
   return { field, squaredRadius * this->Accuracy * this->Accuracy };
 }
 
 double ApproximateWindingNumber::At(const Point& p) const
 {
   double w = 0;
-  std::size_t index = 0;
-  std::array<Id, 64> stack; // enough, because the tree is balanced
-  int depth = 0;
-  if (!this->Tree.Nodes.empty())
-  {
-    stack[depth++] = 0;
-  }
-  while (depth > 0)
-  {
-    index = static_cast<std::size_t>(stack[--depth]);
-    const FacetTree::Node& node = this->Tree.Nodes[index];
-    const Expansion& expansion = this->Expansions[index];
-    const Point r = Difference(expansion.Field.Centre, p);
-    if (Dot(r, r) > expansion.SquaredReach)
+  this->Tree.VisitOpened(
+    [&](Id part)
     {
-      w += expansion.Field.At(r, this->Order);
-    }
-    else if (node.IsLeaf())
+      const auto& [field, squaredReach] = this->Expansions[part];
+      const Point r = Difference(field.Centre, p);
+      const bool isFar = Dot(r, r) > squaredReach;
+      w += isFar ? field.At(r, this->Order) : 0;
+      return !isFar;
+    },
+    [&](Id i)
     {
-      for (Id i = node.Begin; i < node.End; ++i)
-      {
-        const CountedTriangle& triangle = this->Tree.Triangles[i];
-        w += triangle.Count * WindingNumberOfTriangle(CornersOf(this->Points, triangle.Corners), p);
-      }
-    }
-    else
-    {
-      stack[depth++] = node.Right;
-      stack[depth++] = static_cast<Id>(index) + 1;
-    }
-  }
+      const CountedTriangle& triangle = this->Triangles[i];
+      w += triangle.Count * WindingNumberOfTriangle(CornersOf(this->Points, triangle.Corners), p);
+    });
   return w;
 }
 } // namespace insideout

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "WindingNumber/FacetTree.h"
+#include "Common/BoxTree.h"
+#include "WindingNumber/CountedBoundary.h"
 #include "WindingNumber/FarField.h"
 
 namespace insideout
@@ -22,8 +23,8 @@ public:
    * @param[in] accuracy how many of its radii away from its center a node is far, at least 1
    * @throws Error (InvalidParameter)
    */
-  ApproximateWindingNumber(const std::vector<Point>& points,
-    const std::vector<CountedTriangle>& triangles, int order, double accuracy);
+  ApproximateWindingNumber(const std::vector<Point>& points, std::vector<CountedTriangle> triangles,
+    int order, double accuracy);
 
   double At(const Point& p) const;
 
@@ -34,12 +35,13 @@ private:
     double SquaredReach; ///< squared, radius times accuracy
   };
 
-  Expansion Expand(const FacetTree::Node& node) const;
+  Expansion Expand(Id part) const;
 
   const std::vector<Point>& Points;
+  const std::vector<CountedTriangle> Triangles;
   const int Order;
   const double Accuracy;
-  const FacetTree Tree;
-  std::vector<Expansion> Expansions; ///< one per node
+  const BoxTree Tree;
+  std::vector<Expansion> Expansions; ///< one per part of the tree
 };
 } // namespace insideout

@@ -3,6 +3,7 @@
 
 #include "Common/Buckets.h"
 #include "Common/ParallelLoop.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -83,6 +84,23 @@ std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
     }
   }
   return counted;
+}
+
+std::vector<Point> CentresOf(
+  const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
+{
+  std::vector<Point> centres;
+  centres.reserve(triangles.size());
+  for (const CountedTriangle& triangle : triangles)
+  {
+    const auto [a, b, c] = CornersOf(points, triangle.Corners);
+    Point& centre = centres.emplace_back();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      centre[axis] = a[axis] / 3 + b[axis] / 3 + c[axis] / 3;
+    }
+  }
+  return centres;
 }
 
 std::vector<CountedEdge> CountedBoundary(

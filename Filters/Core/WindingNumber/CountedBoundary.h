@@ -25,6 +25,10 @@ struct ChainOfFacets
 /** The facets of a complex that count, in its order. */
 std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface);
 
+/** The center of each triangle. */
+std::vector<Point> CentresOf(
+  const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles);
+
 /** An edge from one point to another, and its count in that direction. */
 struct CountedEdge
 {

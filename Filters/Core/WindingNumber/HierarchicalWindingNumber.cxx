@@ -12,148 +12,126 @@ namespace insideout
 {
 namespace
 {
-constexpr Id LeafSize = 16;
-
 bool IsBefore(const CountedEdge& a, const CountedEdge& b)
 {
   return std::tie(a.From, a.To) < std::tie(b.From, b.To);
 }
 
 /** Sum the counts of equal edges in a sorted list, and leave out those that cancel. */
-std::vector<CountedEdge> Summed(const std::vector<CountedEdge>& sorted)
+void SumUp(std::vector<CountedEdge>& sorted)
 {
-  std::vector<CountedEdge> sum;
-  for (const CountedEdge& edge : sorted)
+  auto end = sorted.begin();
+  for (auto edge = sorted.begin(); edge != sorted.end();)
   {
-    if (!sum.empty() && sum.back().From == edge.From && sum.back().To == edge.To)
+    CountedEdge sum = *edge++;
+    for (; edge != sorted.end() && edge->From == sum.From && edge->To == sum.To; ++edge)
     {
-      sum.back().Count += edge.Count;
-      continue;
+      sum.Count += edge->Count;
     }
-    if (!sum.empty() && sum.back().Count == 0)
+    if (sum.Count != 0)
     {
-      sum.pop_back();
-    }
-    sum.push_back(edge);
-  }
-  if (!sum.empty() && sum.back().Count == 0)
-  {
-    sum.pop_back();
-  }
-  return sum;
-}
-
-std::vector<CountedEdge> BoundaryOf(const CountedTriangle* first, const CountedTriangle* last)
-{
-  std::vector<CountedEdge> edges;
-  for (const CountedTriangle* t = first; t != last; ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Id from = t->Corners[k];
-      const Id to = t->Corners[(k + 1) % 3];
-      edges.push_back({ std::min(from, to), std::max(from, to), from < to ? t->Count : -t->Count });
+      *end++ = sum;
     }
   }
-  std::sort(edges.begin(), edges.end(), IsBefore);
-  return Summed(edges);
+  sorted.erase(end, sorted.end());
 }
 } // namespace
 
 HierarchicalWindingNumber::HierarchicalWindingNumber(
-  const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
+  const std::vector<Point>& points, std::vector<CountedTriangle> triangles)
   : Points(points)
-  , Tree(points, triangles, LeafSize)
-  , Fans(this->Tree.Nodes.size())
+  , Triangles(std::move(triangles))
+  , Tree(BoxTree::OfPoints(CentresOf(points, this->Triangles)))
+  , Fans(static_cast<std::size_t>(this->Tree.NumberOfParts()))
 {
-  if (!this->Tree.Nodes.empty())
+  std::vector<Part> open; // those whose parent is still to come; the last one is its first child
+  for (Id number = this->Tree.NumberOfParts(); number-- > 0;)
   {
-    this->CloseNodes(0);
+    Part part;
+    if (this->Tree.IsLeaf(number))
+    {
+      part = this->LeafOf(number);
+    }
+    else
+    {
+      const Part first = std::move(open.back());
+      open.pop_back();
+      const Part second = std::move(open.back());
+      open.pop_back();
+      part.Around = first.Around;
+      part.Around.Add(second.Around);
+      part.Size = first.Size + second.Size;
+      part.Boundary.resize(first.Boundary.size() + second.Boundary.size());
+      std::merge(first.Boundary.begin(), first.Boundary.end(), second.Boundary.begin(),
+        second.Boundary.end(), part.Boundary.begin(), IsBefore);
+      SumUp(part.Boundary);
+    }
+    this->Fans[number] = Close(part);
+    open.push_back(std::move(part));
   }
 }
 
-/** Close a node and its descendants with fans; returns the node's boundary. */
-std::vector<CountedEdge> HierarchicalWindingNumber::CloseNodes(std::size_t index)
+HierarchicalWindingNumber::Part HierarchicalWindingNumber::LeafOf(Id number) const
 {
-  const FacetTree::Node& node = this->Tree.Nodes[index];
-  std::vector<CountedEdge> boundary;
-  if (node.IsLeaf())
+  Part part;
+  const auto add = [&](Id i)
   {
-    const CountedTriangle* triangles = this->Tree.Triangles.data();
-    boundary = BoundaryOf(triangles + node.Begin, triangles + node.End);
-  }
-  else
-  {
-    const std::vector<CountedEdge> left = this->CloseNodes(index + 1);
-    const std::vector<CountedEdge> right = this->CloseNodes(node.Right);
-    std::merge(
-      left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(boundary), IsBefore);
-    boundary = Summed(boundary);
-  }
-  this->CloseNode(index, boundary);
-  return boundary;
+    const auto& [corners, count] = this->Triangles[i];
+    part.Around.Add(BoundingBox(this->Points, corners));
+    ++part.Size;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id from = corners[k];
+      const Id to = corners[(k + 1) % 3];
+      part.Boundary.push_back(
+        { std::min(from, to), std::max(from, to), from < to ? count : -count });
+    }
+  };
+  this->Tree.VisitPart(number, add);
+  std::sort(part.Boundary.begin(), part.Boundary.end(), IsBefore);
+  SumUp(part.Boundary);
+  return part;
 }
 
-void HierarchicalWindingNumber::CloseNode(
-  std::size_t index, const std::vector<CountedEdge>& boundary)
+HierarchicalWindingNumber::Fan HierarchicalWindingNumber::Close(const Part& part)
 {
-  const FacetTree::Node& node = this->Tree.Nodes[index];
-  Fan fan;
-  const Id apex = boundary.empty() ? None : boundary.front().From;
-  for (const CountedEdge& edge : boundary)
+  std::vector<CountedTriangle> fan;
+  const Id apex = part.Boundary.empty() ? None : part.Boundary.front().From;
+  for (const CountedEdge& edge : part.Boundary)
   {
     if (edge.From != apex && edge.To != apex)
     {
-      fan.Triangles.push_back({ { { apex, edge.From, edge.To } }, static_cast<int>(edge.Count) });
+      fan.push_back({ { { apex, edge.From, edge.To } }, static_cast<int>(edge.Count) });
     }
   }
-  fan.Replaces = fan.Triangles.size() < static_cast<std::size_t>(node.End - node.Begin);
-  if (fan.Replaces)
+  if (fan.size() >= part.Size)
   {
-    this->Fans[index] = std::move(fan);
+    return { part.Around, false, {} };
   }
+  return { part.Around, true, std::move(fan) };
 }
 
-double HierarchicalWindingNumber::SumOf(
-  const CountedTriangle* first, const CountedTriangle* last, const Point& p) const
+double HierarchicalWindingNumber::WindingNumberOf(
+  const CountedTriangle& triangle, const Point& p) const
 {
-  double sum = 0;
-  for (const CountedTriangle* t = first; t != last; ++t)
-  {
-    sum += t->Count * WindingNumberOfTriangle(CornersOf(this->Points, t->Corners), p);
-  }
-  return sum;
+  return triangle.Count * WindingNumberOfTriangle(CornersOf(this->Points, triangle.Corners), p);
 }
 
 double HierarchicalWindingNumber::At(const Point& p) const
 {
   double w = 0;
-  std::vector<std::size_t> stack;
-  if (!this->Tree.Nodes.empty())
-  {
-    stack.push_back(0);
-  }
-  while (!stack.empty())
-  {
-    const std::size_t index = stack.back();
-    stack.pop_back();
-    const FacetTree::Node& node = this->Tree.Nodes[index];
-    const Fan& fan = this->Fans[index];
-    if (fan.Replaces && !node.Bounds.Holds(p))
+  this->Tree.VisitOpened(
+    [&](Id part)
     {
-      w += this->SumOf(fan.Triangles.data(), fan.Triangles.data() + fan.Triangles.size(), p);
-    }
-    else if (node.IsLeaf())
-    {
-      const CountedTriangle* triangles = this->Tree.Triangles.data();
-      w += this->SumOf(triangles + node.Begin, triangles + node.End, p);
-    }
-    else
-    {
-      stack.push_back(node.Right);
-      stack.push_back(index + 1);
-    }
-  }
+      const Fan& fan = this->Fans[part];
+      const bool isReplaced = fan.Replaces && !fan.Around.Holds(p);
+      for (std::size_t i = 0; isReplaced && i < fan.Triangles.size(); ++i)
+      {
+        w += this->WindingNumberOf(fan.Triangles[i], p);
+      }
+      return !isReplaced;
+    },
+    [&](Id i) { w += this->WindingNumberOf(this->Triangles[i], p); });
   return w;
 }
 } // namespace insideout

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "WindingNumber/FacetTree.h"
+#include "Common/BoxTree.h"
+#include "WindingNumber/CountedBoundary.h"
 
 namespace insideout
 {
@@ -16,23 +17,35 @@ class HierarchicalWindingNumber
 public:
   /** @param[in] points below 1 in each coordinate; has to live as long as this object */
   HierarchicalWindingNumber(
-    const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles);
+    const std::vector<Point>& points, std::vector<CountedTriangle> triangles);
 
   /** The winding number at a point; triangles in whose plane it lies count 0. */
   double At(const Point& p) const;
 
 private:
-  double SumOf(const CountedTriangle* first, const CountedTriangle* last, const Point& p) const;
-  std::vector<CountedEdge> CloseNodes(std::size_t node);
-  void CloseNode(std::size_t node, const std::vector<CountedEdge>& boundary);
+  /** The facets of a part of the tree. */
+  struct Part
+  {
+    Box Around = Box::Empty();
+    std::size_t Size = 0;
+    std::vector<CountedEdge> Boundary;
+  };
 
-  const std::vector<Point>& Points;
-  FacetTree Tree;
+  /** What replaces them outside of their box. */
   struct Fan
   {
-    bool Replaces = false; ///< has fewer triangles than the node
+    Box Around;
+    bool Replaces; ///< has fewer triangles than the part
     std::vector<CountedTriangle> Triangles;
   };
-  std::vector<Fan> Fans; ///< one per node
+
+  Part LeafOf(Id part) const;
+  static Fan Close(const Part& part);
+  double WindingNumberOf(const CountedTriangle& triangle, const Point& p) const;
+
+  const std::vector<Point>& Points;
+  const std::vector<CountedTriangle> Triangles;
+  const BoxTree Tree;
+  std::vector<Fan> Fans; ///< one per part
 };
 } // namespace insideout

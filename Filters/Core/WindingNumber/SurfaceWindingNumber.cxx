@@ -83,11 +83,11 @@ public:
         this->Surface = ComplexOf(this->Points, triangles);
         break;
       case WindingNumberMethod::Hierarchical:
-        this->Hierarchical.emplace(this->Points, triangles);
+        this->Hierarchical.emplace(this->Points, std::move(triangles));
         break;
       case WindingNumberMethod::Approximate:
         this->Approximate.emplace(
-          this->Points, triangles, parameters.ApproximationOrder, parameters.Accuracy);
+          this->Points, std::move(triangles), parameters.ApproximationOrder, parameters.Accuracy);
         break;
     }
   }
