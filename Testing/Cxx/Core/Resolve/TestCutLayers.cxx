@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace insideout;
 
 namespace
@@ -27,6 +29,50 @@ struct CrossedSheets
 
   std::vector<Point> Points;
   std::vector<Triangle> Facets{ { 0, 1, 2 }, { 3, 4, 5 } };
+};
+
+/**
+ * Two bands of facets around an axis, `turn` radians long: the second is ahead by half a facet, so
+ * that each facet is a layer of two of the other band and the groups go on to the end.
+ */
+struct Bands
+{
+  explicit Bands(double turn)
+  {
+    const double width = 300 * Radius;
+    const double fromAxis = width * width / (2 * Radius);
+    const Id count = static_cast<Id>(turn * fromAxis / width);
+    for (const double ahead : { 0.0, 0.5 })
+    {
+      const Id first = static_cast<Id>(this->Points.size());
+      for (Id k = 0; k <= count; ++k)
+      {
+        const double angle = (k + ahead) * width / fromAxis;
+        const double x = fromAxis * std::cos(angle);
+        const double y = fromAxis * std::sin(angle);
+        this->Points.insert(this->Points.end(), { { x, y, 0 }, { x, y, 2 * width } });
+      }
+      for (Id k = first; k < first + 2 * count; k += 2)
+      {
+        this->Facets.insert(this->Facets.end(), { { k, k + 2, k + 1 }, { k + 2, k + 3, k + 1 } });
+      }
+    }
+  }
+
+  /** The number of groups. */
+  std::size_t Cut() const
+  {
+    std::vector<std::array<Id, 2>> pairs;
+    for (Id f = 1; f < static_cast<Id>(this->Facets.size()); ++f)
+    {
+      pairs.push_back({ 0, f });
+    }
+    Monitor monitor;
+    return CutLayers({ this->Points, this->Facets }, pairs, Radius, monitor, { "", 0, 1 }).size();
+  }
+
+  std::vector<Point> Points;
+  std::vector<Triangle> Facets;
 };
 
 /** How many pieces have both facets as sources. */
@@ -77,4 +123,10 @@ TEST(CutLayers, SpreadsOverTheFacetsThatOverlapTheLayersWithoutCrossing)
   const auto subdivisions = sheets.Cut();
   ASSERT_EQ(subdivisions.size(), 1u);
   EXPECT_EQ(subdivisions[0].Facets.size(), 3u);
+}
+
+TEST(CutLayers, LeavesLayersThatTurnUntilTheyAreSeenEdgeOn)
+{
+  EXPECT_EQ(Bands(0.1).Cut(), 1u);
+  EXPECT_EQ(Bands(1.6).Cut(), 0u);
 }
