@@ -71,12 +71,12 @@ bool IsOnHullFace(const FlippableMesh& mesh, Id cell, Id apex)
 }
 
 /** Add the cells behind faces that do not see the apex. */
-bool Grow(const FlippableMesh& mesh, Cone& cone, Id apex)
+bool Grow(const FlippableMesh& mesh, Cone& cone, Id apex, std::size_t mostCells)
 {
   for (std::size_t next = 0; next < cone.Old.Cells().size(); ++next)
   {
     const Id id = cone.Old.Cells()[next];
-    if (!IsOnHullFace(mesh, id, apex))
+    if (cone.Old.Cells().size() > mostCells || !IsOnHullFace(mesh, id, apex))
     {
       return false;
     }
@@ -104,12 +104,12 @@ bool Grow(const FlippableMesh& mesh, Cone& cone, Id apex)
 }
 } // namespace
 
-bool PullVertex(ExactState& state, Id apex, Id other)
+bool PullVertex(ExactState& state, Id apex, Id other, std::size_t mostCells)
 {
   FlippableMesh& mesh = state.Mesh;
   Cone& cone = state.Scratch.Moved;
   cone.Old.Start(mesh.NumberOfCells());
-  const bool isCone = AddCrossed(state, apex, other) && Grow(mesh, cone, apex);
+  const bool isCone = AddCrossed(state, apex, other) && Grow(mesh, cone, apex, mostCells);
   mesh.Work().Spend(static_cast<std::int64_t>(cone.Old.Cells().size()));
   if (!isCone || !cone.Make(mesh, state.Segments, apex, apex))
   {

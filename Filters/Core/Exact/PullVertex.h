@@ -3,6 +3,9 @@
 
 #include "Exact/ExactState.h"
 
+#include <cstddef>
+#include <limits>
+
 namespace insideout
 {
 /**
@@ -13,8 +16,10 @@ namespace insideout
  *
  * Points of CAD models are (nearly) cospherical: more than one mesh is (nearly) Delaunay. This
  * chooses the one that facets need: the pulling triangulation (Lee 1991).
+ * @param[in] mostCells limit of the cells that give way
  * @return whether the two are connected; else a constraint is in the way, and the mesh stays as it
  * is
  */
-bool PullVertex(ExactState& state, Id apex, Id other);
+bool PullVertex(ExactState& state, Id apex, Id other,
+  std::size_t mostCells = std::numeric_limits<std::size_t>::max());
 } // namespace insideout

@@ -8,6 +8,9 @@
 #include "Exact/SteinerPoints.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <utility>
 
 namespace insideout
 {
@@ -226,56 +229,115 @@ Id SplitCrossedEdge(FlippableMesh& mesh, Id start, Id end, const Crossing& cross
   return point;
 }
 
-bool SplitAndRecover(ExactState& state, Id segment, Id start, Id end)
+/** A segment that Steiner points split. */
+struct SplitSegment
+{
+  Id Number;
+  Id Start;
+  Id End;
+};
+
+/** All crossings of the piece from a to b; the last one is an end or a vertex. */
+std::vector<Crossing> CrossingsOf(const FlippableMesh& mesh, Id a, Id b)
+{
+  std::vector<Crossing> crossings(1, FirstCrossing(mesh, a, b));
+  while (crossings.back().Kind == Crossing::ThroughFace ||
+    crossings.back().Kind == Crossing::ThroughEdge)
+  {
+    crossings.push_back(NextCrossing(mesh, a, b, crossings.back()));
+  }
+  return crossings;
+}
+
+/**
+ * The crossing in the middle; one through a face if there is any, for a point within a cell has
+ * shorter numbers than one on an edge.
+ */
+const Crossing& MiddleOf(const std::vector<Crossing>& crossings)
+{
+  const auto rank = [&crossings](const Crossing& crossing)
+  {
+    const std::ptrdiff_t before = &crossing - crossings.data();
+    const std::ptrdiff_t behind = static_cast<std::ptrdiff_t>(crossings.size()) - 1 - before;
+    return std::make_pair(crossing.Kind != Crossing::ThroughFace, std::abs(behind - before));
+  };
+  return *std::min_element(crossings.begin(), crossings.end(),
+    [&rank](const Crossing& x, const Crossing& y) { return rank(x) < rank(y); });
+}
+
+/**
+ * Insert a point of a piece from a to b at a crossing, or beyond it if that is a face. It is made
+ * from the segment's own ends, whose numbers are short, not from Steiner points on it.
+ */
+Id SplitAt(FlippableMesh& mesh, const SplitSegment& segment, Id a, Id b, const Crossing& crossing)
+{
+  if (crossing.Kind == Crossing::ThroughEdge)
+  {
+    return SplitCrossedEdge(
+      mesh, segment.Start, segment.End, crossing, mesh.VertexOffPlane(a, b, crossing.U));
+  }
+  const Id beyond = mesh.Cell(crossing.Cell).Neighbors[crossing.Face];
+  const Id apex = mesh.Opposite(crossing.Cell, crossing.Face);
+  const Id point = SteinerPointWithin(mesh, beyond, segment.Start, segment.End, apex);
+  if (point != None)
+  {
+    mesh.SplitCell(beyond, point);
+  }
+  return point;
+}
+
+/** Limit of the cells that give way to a piece: hardly any pull of more succeeds. */
+constexpr std::size_t MostCellsOfPiece = 300;
+
+/** Whether flips or pulls connect a and b. */
+bool ConnectPiece(ExactState& state, const SplitSegment& segment, Id a, Id b)
+{
+  const bool isWhole = a == segment.Start && b == segment.End; // which pulls did not connect
+  return Recover(state, a, b, PlainFlips) ||
+    (!isWhole &&
+      (PullVertex(state, a, b, MostCellsOfPiece) || PullVertex(state, b, a, MostCellsOfPiece)));
+}
+
+/** Connect a and b, or split the piece between them in the middle of its crossings. */
+bool RecoverPiece(ExactState& state, const SplitSegment& segment, Id a, Id b)
 {
   FlippableMesh& mesh = state.Mesh;
-  const FlipTarget nothing(mesh);
-  Id a = start;
-  while (!Recover(state, a, end, PlainFlips))
+  if (ConnectPiece(state, segment, a, b))
   {
-    if (mesh.Work().IsUsedUp())
-    {
-      return false;
-    }
-    state.Report(Phases::SplittingSegments);
-    // Points are made from the segment's own ends, whose numbers are short, not from Steiner points
-    // on it.
-    Id point = None;
-    const Crossing crossing = FirstCrossing(mesh, a, end);
-    if (crossing.Kind == Crossing::ThroughEdge)
-    {
-      point = SplitCrossedEdge(mesh, start, end, crossing, mesh.VertexOffPlane(a, end, crossing.U));
-    }
-    else if (crossing.Kind == Crossing::AtVertex && crossing.U > mesh.Infinite() &&
-      state.SupportOf(crossing.U).IsNothing())
-    {
-      point = crossing.U; // a point in the volume, which may lie on the segment by rounding
-    }
-    else if (crossing.Kind == Crossing::ThroughFace)
-    {
-      const Id beyond = mesh.Cell(crossing.Cell).Neighbors[crossing.Face];
-      const Id apex = mesh.Opposite(crossing.Cell, crossing.Face);
-      if (apex == end)
-      {
-        RemoveFace(state, crossing.Cell, crossing.Face, nothing, AnyFlip);
-        return mesh.FindEdge(a, end) != None;
-      }
-      point = SteinerPointWithin(mesh, beyond, start, end, apex);
-      if (point == None)
-      {
-        return false;
-      }
-      mesh.SplitCell(beyond, point);
-      RemoveFace(state, crossing.Cell, crossing.Face, nothing, AnyFlip);
-    }
-    if (point == None || mesh.FindEdge(a, point) == None)
-    {
-      return false;
-    }
-    state.Segments.Split(segment, a, end, point);
-    a = point;
+    return true;
   }
-  return true;
+  if (mesh.Work().IsUsedUp())
+  {
+    return false;
+  }
+  state.Report(Phases::SplittingSegments);
+  std::vector<Crossing> crossings = CrossingsOf(mesh, a, b);
+  const Crossing last = crossings.back();
+  crossings.pop_back();
+  if (last.Kind == Crossing::AtEnd && crossings.back().Kind == Crossing::ThroughFace)
+  {
+    const Crossing face = crossings.back(); // the cell beyond it is the last one
+    crossings.pop_back();
+    if (crossings.empty())
+    {
+      return RemoveFace(state, face.Cell, face.Face, FlipTarget(mesh), AnyFlip);
+    }
+  }
+  Id point = None;
+  if (!crossings.empty())
+  {
+    point = SplitAt(mesh, segment, a, b, MiddleOf(crossings));
+  }
+  else if (last.U > mesh.Infinite() && state.SupportOf(last.U).IsNothing())
+  {
+    point = last.U; // a point in the volume, which may lie on the segment by rounding
+  }
+  if (point == None)
+  {
+    return false;
+  }
+  state.Segments.Split(segment.Number, a, b, point);
+  return RecoverPiece(state, segment, a, point) && RecoverPiece(state, segment, point, b);
 }
 } // namespace
 
@@ -295,7 +357,7 @@ std::vector<Id> RecoverSegmentsBySplits(
     {
       std::swap(ends[0], ends[1]);
     }
-    if (!SplitAndRecover(state, missing[k], ends[0], ends[1]))
+    if (!RecoverPiece(state, { missing[k], ends[0], ends[1] }, ends[0], ends[1]))
     {
       state.Segments.Release(missing[k]);
       failed.push_back(missing[k]);

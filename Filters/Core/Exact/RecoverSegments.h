@@ -16,7 +16,7 @@ std::vector<Id> RecoverSegmentsByPulls(ExactState& state, const std::vector<Id>&
 /** Recover segments by flips alone. */
 std::vector<Id> RecoverSegmentsByFlips(ExactState& state, const std::vector<Id>& missing);
 
-/** The end of segments at which Steiner points begin. */
+/** The end of segments from which Steiner points are placed, and whose pieces come first. */
 enum class SplitFrom
 {
   LowerEnd,
@@ -24,9 +24,10 @@ enum class SplitFrom
 };
 
 /**
- * Recover segments with Steiner points that lie exactly on them. Each lies where the segment passes
- * through a cell or over an edge, so no constraint is lost and the remaining segment shrinks. Only
- * segments that pass through a vertex fail.
+ * Recover segments with Steiner points that lie exactly on them. Each lies in the middle of what a
+ * missing piece of the segment crosses, within a cell or on an edge, so no constraint is lost. Then
+ * flips or pulls connect the two halves, or these are split, too. Only segments that pass through a
+ * vertex fail.
  */
 std::vector<Id> RecoverSegmentsBySplits(
   ExactState& state, const std::vector<Id>& missing, SplitFrom from);
