@@ -7,6 +7,9 @@ namespace
 {
 /** An edge that obstructs a segment is much harder to remove than a face. */
 constexpr int CostOfEdgeCrossing = 3;
+
+/** Size of the cache of sides, a power of 2: more than the vertices around most facets. */
+constexpr std::size_t SizeOfCache = 256;
 } // namespace
 
 FlipTarget FlipTarget::Segment(const FlippableMesh& mesh, Id a, Id b)
@@ -22,6 +25,7 @@ FlipTarget FlipTarget::Facet(const FlippableMesh& mesh, const Triangle& corners)
   FlipTarget target(mesh);
   target.Kind = AFacet;
   target.Corners = corners;
+  target.Sides.assign(SizeOfCache, { None, 0 });
   return target;
 }
 
@@ -83,7 +87,7 @@ bool FlipTarget::FacetCrosses(Id x, Id y) const
 {
   const Triangle& f = this->Corners;
   const ExactVertices& vertices = this->Mesh.Vertices();
-  if (vertices.Orient(f[0], f[1], f[2], x) * vertices.Orient(f[0], f[1], f[2], y) >= 0)
+  if (this->SideOfFacet(x) * this->SideOfFacet(y) >= 0)
   {
     return false;
   }
@@ -95,5 +99,16 @@ bool FlipTarget::FacetCrosses(Id x, Id y) const
   }
   const int third = vertices.Orient(x, y, f[2], f[0]);
   return first * third >= 0 && second * third >= 0;
+}
+
+int FlipTarget::SideOfFacet(Id x) const
+{
+  Side& side = this->Sides[static_cast<std::size_t>(x) % SizeOfCache];
+  if (side.Vertex != x)
+  {
+    const Triangle& f = this->Corners;
+    side = { x, this->Mesh.Vertices().Orient(f[0], f[1], f[2], x) };
+  }
+  return side.Sign;
 }
 } // namespace insideout

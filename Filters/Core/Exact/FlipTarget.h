@@ -3,10 +3,13 @@
 
 #include "Exact/FlippableMesh.h"
 
+#include <vector>
+
 namespace insideout
 {
 /**
  * The target of flips, a segment or a facet: it counts the obstacles among edges and faces.
+ * Vertices may not move while it is in use.
  */
 class FlipTarget
 {
@@ -29,6 +32,7 @@ public:
 private:
   bool SegmentCrosses(Id x, Id y) const;
   bool FacetCrosses(Id x, Id y) const;
+  int SideOfFacet(Id x) const;
 
   const FlippableMesh& Mesh;
   enum
@@ -38,5 +42,13 @@ private:
     AFacet
   } Kind = Nothing;
   Triangle Corners{ { None, None, None } };
+
+  /** The side of the facet's plane that a vertex is on. */
+  struct Side
+  {
+    Id Vertex;
+    int Sign;
+  };
+  mutable std::vector<Side> Sides; ///< cache: most edges asked for share vertices with others
 };
 } // namespace insideout

@@ -6,7 +6,9 @@
 #include "Exact/SteinerPoints.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace insideout
@@ -205,30 +207,32 @@ std::vector<MeshEdge> AllCrossings(
   const FlippableMesh& mesh, const FlipTarget& target, const MeshEdge& first)
 {
   std::vector<MeshEdge> edges(1, first);
-  std::set<MeshEdge> known = { std::minmax(first.first, first.second) };
+  std::vector<Id> cells(1, mesh.FindEdge(first.first, first.second)); // one at each edge
+  const auto keyOf = [](Id x, Id y)
+  {
+    const auto [low, high] = std::minmax(x, y);
+    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
+  };
+  std::unordered_set<std::uint64_t> known = { keyOf(first.first, first.second) };
+  const auto look = [&](Id x, Id y, Id cell)
+  {
+    if (known.insert(keyOf(x, y)).second && target.CostOfEdge(x, y) > 0)
+    {
+      edges.push_back({ x, y });
+      cells.push_back(cell);
+    }
+  };
   EdgeRing ring;
   for (std::size_t next = 0; next < edges.size(); ++next)
   {
     const auto [u, v] = edges[next];
-    mesh.Ring(u, v, mesh.FindEdge(u, v), ring);
-    for (const Id p : ring.Points)
+    mesh.Ring(u, v, cells[next], ring);
+    const std::size_t n = ring.Points.size();
+    for (std::size_t k = 0; k < n; ++k)
     {
-      for (const Id end : { u, v })
-      {
-        if (target.CostOfEdge(end, p) > 0 && known.insert(std::minmax(end, p)).second)
-        {
-          edges.push_back({ end, p });
-        }
-      }
-    }
-    for (std::size_t k = 0; k < ring.Points.size(); ++k)
-    {
-      const Id p = ring.Points[k];
-      const Id q = ring.Points[(k + 1) % ring.Points.size()];
-      if (target.CostOfEdge(p, q) > 0 && known.insert(std::minmax(p, q)).second)
-      {
-        edges.push_back({ p, q });
-      }
+      look(u, ring.Points[k], ring.Cells[k]);
+      look(v, ring.Points[k], ring.Cells[k]);
+      look(ring.Points[k], ring.Points[(k + 1) % n], ring.Cells[k]);
     }
   }
   return edges;
