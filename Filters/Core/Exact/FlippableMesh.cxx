@@ -3,7 +3,6 @@
 
 #include "Common/Buckets.h"
 #include "Common/ParallelLoop.h"
-#include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Delaunay/DelaunayTetrahedra.h"
 #include "Exact/Phases.h"
@@ -60,26 +59,26 @@ void FlippableMesh::Star(Id vertex, std::vector<Id>& cells) const
   }
 }
 
-std::vector<Id> FlippableMesh::NeighborsOf(const std::vector<Id>& points) const
+std::vector<Id> FlippableMesh::NeighborsOf(Id vertex) const
 {
   std::vector<Id> star;
-  for (const Id point : points)
-  {
-    this->Star(point, star);
-  }
+  this->Star(vertex, star);
+  this->VertexMarks.Start(static_cast<Id>(this->CellOf.size()));
+  this->VertexMarks.Add(vertex);
+  this->VertexMarks.Add(this->InfiniteVertex);
   std::vector<Id> neighbors;
   for (const Id cell : star)
   {
     for (const Id corner : this->Cells[cell].Corners)
     {
-      if (corner != this->InfiniteVertex &&
-        std::find(points.begin(), points.end(), corner) == points.end())
+      if (!this->VertexMarks.Has(corner))
       {
+        this->VertexMarks.Add(corner);
         neighbors.push_back(corner);
       }
     }
   }
-  SortUniquely(neighbors);
+  std::sort(neighbors.begin(), neighbors.end());
   return neighbors;
 }
 

@@ -49,8 +49,8 @@ public:
   /** Append the cells around a vertex; none for a vertex that is in no cell. */
   void Star(Id vertex, std::vector<Id>& cells) const;
 
-  /** The finite vertices that share an edge with one of the points, without these, ascending. */
-  std::vector<Id> NeighborsOf(const std::vector<Id>& points) const;
+  /** The finite vertices that share an edge with a vertex, ascending. */
+  std::vector<Id> NeighborsOf(Id vertex) const;
 
   /** A cell with both vertices, None if they share no edge. */
   Id FindEdge(Id u, Id v) const;
@@ -132,6 +132,7 @@ private:
   Id InfiniteVertex;
   std::array<Id, 4> Spanning;
   mutable Workspace Own;
+  mutable CellMarks VertexMarks; ///< of NeighborsOf
   mutable EdgeSearch OwnSearch;
 };
 } // namespace insideout

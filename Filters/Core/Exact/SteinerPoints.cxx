@@ -24,7 +24,7 @@ void LowerDegree(ExactState& state, Id point)
   {
     const std::int64_t since = before;
     before = mesh.NumberOfChanges();
-    for (const Id neighbor : mesh.NeighborsOf({ point }))
+    for (const Id neighbor : mesh.NeighborsOf(point))
     {
       const Id cell =
         mesh.LastChangeAround(neighbor) > since ? mesh.FindEdge(point, neighbor) : None;
@@ -43,7 +43,7 @@ bool CollapseAnyhow(ExactState& state, Id point)
   {
     return false;
   }
-  const std::vector<Id> neighbors = state.Mesh.NeighborsOf({ point });
+  const std::vector<Id> neighbors = state.Mesh.NeighborsOf(point);
   return std::any_of(neighbors.begin(), neighbors.end(),
     [&](Id neighbor) { return CollapsePoint(state, point, neighbor); });
 }
