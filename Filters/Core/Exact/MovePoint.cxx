@@ -36,10 +36,8 @@ bool IsHullConvex(const FlippableMesh& mesh, const std::vector<Id>& star, Id poi
 }
 
 /** Find the cells to replace. Infinite ones stay: they remain connected with the vertex. */
-bool Grow(const FlippableMesh& mesh, Cone& cone, Id point, Id apex)
+bool Grow(const FlippableMesh& mesh, const std::vector<Id>& star, Cone& cone, Id point, Id apex)
 {
-  std::vector<Id> star;
-  mesh.Star(point, star);
   if (!IsHullConvex(mesh, star, point, apex))
   {
     return false;
@@ -90,9 +88,11 @@ bool MovePoint(ExactState& state, Id point, const Point& place)
   }
   FlippableMesh& mesh = state.Mesh;
   Cone& cone = state.Scratch.Moved;
+  std::vector<Id> star;
+  mesh.Star(point, star);
   const Id marker = mesh.AddVertex(place);
   const bool canMove =
-    Grow(mesh, cone, point, marker) && cone.Make(mesh, state.Segments, point, point, point);
+    Grow(mesh, star, cone, point, marker) && cone.Make(mesh, state.Segments, point, point, point);
   mesh.RemoveLastVertex();
   if (canMove)
   {
@@ -103,15 +103,20 @@ bool MovePoint(ExactState& state, Id point, const Point& place)
   return canMove;
 }
 
-bool CollapsePoint(ExactState& state, Id point, Id neighbor)
+bool CollapsePoint(ExactState& state, Id point, const std::vector<Id>& neighbors)
 {
   Cone& cone = state.Scratch.Moved;
-  if (!Grow(state.Mesh, cone, point, neighbor) ||
-    !cone.Make(state.Mesh, state.Segments, neighbor, point, point) || cone.HasSurface())
+  std::vector<Id> star;
+  state.Mesh.Star(point, star);
+  for (const Id neighbor : neighbors)
   {
-    return false;
+    if (Grow(state.Mesh, star, cone, point, neighbor) &&
+      cone.Make(state.Mesh, state.Segments, neighbor, point, point) && !cone.HasSurface())
+    {
+      state.Mesh.Replace(cone.Old.Cells(), cone.Fresh);
+      return true;
+    }
   }
-  state.Mesh.Replace(cone.Old.Cells(), cone.Fresh);
-  return true;
+  return false;
 }
 } // namespace insideout

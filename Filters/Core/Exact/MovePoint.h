@@ -16,8 +16,8 @@ bool MovePoint(ExactState& state, Id point, const Point& place);
 
 /**
  * Remove a vertex that lies on no facet, segment or face of the hull, by collapsing it and the
- * obstacles onto a neighbor.
+ * obstacles onto the first of some neighbors that allows it.
  * @return whether it was removed; else the mesh is as before
  */
-bool CollapsePoint(ExactState& state, Id point, Id neighbor);
+bool CollapsePoint(ExactState& state, Id point, const std::vector<Id>& neighbors);
 } // namespace insideout

@@ -36,22 +36,12 @@ void LowerDegree(ExactState& state, Id point)
   }
 }
 
-/** Collapse a point in the volume onto any neighbor that allows it. */
-bool CollapseAnyhow(ExactState& state, Id point)
-{
-  if (!state.SupportOf(point).IsNothing())
-  {
-    return false;
-  }
-  const std::vector<Id> neighbors = state.Mesh.NeighborsOf(point);
-  return std::any_of(neighbors.begin(), neighbors.end(),
-    [&](Id neighbor) { return CollapsePoint(state, point, neighbor); });
-}
-
 bool RemovePoint(ExactState& state, Id point)
 {
   LowerDegree(state, point);
-  return DissolvePoint(state, point, VolumePoints::None) || CollapseAnyhow(state, point);
+  return DissolvePoint(state, point, VolumePoints::None) ||
+    (state.SupportOf(point).IsNothing() &&
+      CollapsePoint(state, point, state.Mesh.NeighborsOf(point)));
 }
 } // namespace
 

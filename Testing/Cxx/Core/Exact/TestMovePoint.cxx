@@ -226,7 +226,7 @@ TEST(MovePoint, CollapsesAPointIntoANeighborThatSeesAllAround)
   {
     MeshWithFacets mesh = TwoOctahedra({ { { 1, 3, 5 } } });
     const MeshRecord before(mesh.Mesh);
-    EXPECT_TRUE(CollapsePoint(mesh, 0, neighbor));
+    EXPECT_TRUE(CollapsePoint(mesh, 0, { neighbor }));
     EXPECT_FALSE(mesh.Mesh.HasVertex(0));
     EXPECT_NE(mesh.Mesh.FindEdge(neighbor, neighbor % 2 == 1 ? neighbor + 1 : neighbor - 1), None);
     ExpectFlippableMeshLaws(mesh.Mesh, before);
@@ -239,8 +239,8 @@ TEST(MovePoint, CollapsesNoPointOfAFacetOrOfTheHull)
   const MeshRecord before(mesh.Mesh);
   for (Id neighbor = 1; neighbor <= 6; ++neighbor)
   {
-    EXPECT_FALSE(CollapsePoint(mesh, 0, neighbor));
-    EXPECT_FALSE(CollapsePoint(mesh, neighbor + 6, neighbor));
+    EXPECT_FALSE(CollapsePoint(mesh, 0, { neighbor }));
+    EXPECT_FALSE(CollapsePoint(mesh, neighbor + 6, { neighbor }));
   }
   ExpectUnchanged(mesh.Mesh, before);
 }
@@ -271,7 +271,7 @@ TEST(MovePoint, CollapsingAnyPointKeepsTheRest)
           continue;
         }
         const MeshRecord before(mesh.Mesh);
-        if (CollapsePoint(mesh, point, neighbor))
+        if (CollapsePoint(mesh, point, { neighbor }))
         {
           EXPECT_FALSE(mesh.Mesh.HasVertex(point));
           ExpectFlippableMeshLaws(mesh.Mesh, before);
