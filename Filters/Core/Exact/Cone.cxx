@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/Cone.h"
 
-#include "Common/SortUniquely.h"
-
-#include <algorithm>
-
 namespace insideout
 {
-bool Cone::HasEdge(Id u, Id v) const
+namespace
 {
-  return std::binary_search(this->WallEdges.begin(), this->WallEdges.end(),
-    std::array<Id, 2>{ { std::min(u, v), std::max(u, v) } });
-}
+/** Each cell has six edges. */
+constexpr std::size_t MostEdgesPerCell = 6;
+} // namespace
 
 /**
  * Whether all corners of a cell except the center, and the segments between them, are on the wall.
@@ -25,14 +21,14 @@ bool Cone::Keeps(const Tetrahedron& cell, Id centre, const SegmentTable& segment
     {
       continue;
     }
-    if (!std::binary_search(this->WallCorners.begin(), this->WallCorners.end(), u))
+    if (!this->OnWall.Has(u))
     {
       return false;
     }
     for (int j = 0; j < k; ++j)
     {
       const Id v = cell[j];
-      if (v != centre && !this->HasEdge(u, v) && segments.Find(u, v) != None)
+      if (v != centre && !this->WallEdges.Has(u, v) && segments.Find(u, v) != None)
       {
         return false;
       }
@@ -45,8 +41,8 @@ bool Cone::Make(
   const FlippableMesh& mesh, const SegmentTable& segments, Id apex, Id centre, Id gone)
 {
   this->Fresh.clear();
-  this->WallCorners.clear();
-  this->WallEdges.clear();
+  this->OnWall.Start(mesh.Vertices().Size());
+  this->WallEdges.Start(MostEdgesPerCell * this->Old.Cells().size());
   this->SurfaceFaces.clear();
   const auto isWall = [&](const FlippableCell& cell, int at, int k)
   { return (at < 0 || at == k) && !this->Old.Has(cell.Neighbors[k]); };
@@ -69,15 +65,11 @@ bool Cone::Make(
       const Triangle face = mesh.FaceCorners(id, k);
       for (int j = 0; j < 3; ++j)
       {
-        const Id u = face[j];
-        const Id v = face[(j + 1) % 3];
-        this->WallEdges.push_back({ { std::min(u, v), std::max(u, v) } });
-        this->WallCorners.push_back(u);
+        this->OnWall.Add(face[j]);
+        this->WallEdges.Add(face[j], face[(j + 1) % 3]);
       }
     }
   }
-  SortUniquely(this->WallCorners);
-  SortUniquely(this->WallEdges);
   for (const Id id : this->Old.Cells())
   {
     const FlippableCell& cell = mesh.Cell(id);
@@ -97,7 +89,7 @@ bool Cone::Make(
       const auto& others = OtherCorners[k][at < 0 ? k : at];
       const Id a = cell.Corners[others[0]];
       const Id b = cell.Corners[others[1]];
-      if (at < 0 || at == k || !this->HasEdge(a, b))
+      if (at < 0 || at == k || !this->WallEdges.Has(a, b))
       {
         return false;
       }

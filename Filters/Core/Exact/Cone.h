@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Exact/EdgeSet.h"
 #include "Exact/FlippableMesh.h"
 #include "Exact/SegmentTable.h"
 #include "Mesh/CellSet.h"
 
-#include <array>
 #include <vector>
 
 namespace insideout
@@ -37,7 +37,6 @@ struct Cone
   void MarkSurface(FlippableMesh& mesh, Id centre) const;
 
 private:
-  bool HasEdge(Id u, Id v) const;
   bool Keeps(const Tetrahedron& cell, Id centre, const SegmentTable& segments) const;
 
   /** A face between replaced cells that has the center as a corner: it stays. */
@@ -48,7 +47,7 @@ private:
     Id Facet;
   };
   std::vector<SurfaceFace> SurfaceFaces;
-  std::vector<Id> WallCorners;
-  std::vector<std::array<Id, 2>> WallEdges;
+  CellMarks OnWall; ///< per vertex
+  EdgeSet WallEdges;
 };
 } // namespace insideout
