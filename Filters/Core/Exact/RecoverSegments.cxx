@@ -298,19 +298,11 @@ bool ConnectPiece(ExactState& state, const SplitSegment& segment, Id a, Id b)
       (PullVertex(state, a, b, MostCellsOfPiece) || PullVertex(state, b, a, MostCellsOfPiece)));
 }
 
-/** Connect a and b, or split the piece between them in the middle of its crossings. */
-bool RecoverPiece(ExactState& state, const SplitSegment& segment, Id a, Id b)
+/** Insert a point in the middle of the crossings of a piece from a to b, which does not exist.
+ * @return the point; a where it connects the two without one; None on failure */
+Id SplitInMiddle(ExactState& state, const SplitSegment& segment, Id a, Id b)
 {
   FlippableMesh& mesh = state.Mesh;
-  if (ConnectPiece(state, segment, a, b))
-  {
-    return true;
-  }
-  if (mesh.Work().IsUsedUp())
-  {
-    return false;
-  }
-  state.Report(Phases::SplittingSegments);
   std::vector<Crossing> crossings = CrossingsOf(mesh, a, b);
   const Crossing last = crossings.back();
   crossings.pop_back();
@@ -320,24 +312,49 @@ bool RecoverPiece(ExactState& state, const SplitSegment& segment, Id a, Id b)
     crossings.pop_back();
     if (crossings.empty())
     {
-      return RemoveFace(state, face.Cell, face.Face, FlipTarget(mesh), AnyFlip);
+      return RemoveFace(state, face.Cell, face.Face, FlipTarget(mesh), AnyFlip) ? a : None;
     }
   }
-  Id point = None;
   if (!crossings.empty())
   {
-    point = SplitAt(mesh, segment, a, b, MiddleOf(crossings));
+    return SplitAt(mesh, segment, a, b, MiddleOf(crossings));
   }
-  else if (last.U > mesh.Infinite() && state.SupportOf(last.U).IsNothing())
+  // A point in the volume may lie on the segment by rounding.
+  const bool isFree = last.U > mesh.Infinite() && state.SupportOf(last.U).IsNothing();
+  return isFree ? last.U : None;
+}
+
+/** Connect the ends of a segment, split in the middle of its crossings, and so on for each half. */
+bool SplitAndRecover(ExactState& state, const SplitSegment& segment)
+{
+  Id a = segment.Start;
+  std::vector<Id> ends(1, segment.End); // of pieces that follow each other, the next one last
+  while (!ends.empty())
   {
-    point = last.U; // a point in the volume, which may lie on the segment by rounding
+    const Id b = ends.back();
+    if (!ConnectPiece(state, segment, a, b))
+    {
+      if (state.Mesh.Work().IsUsedUp())
+      {
+        return false;
+      }
+      state.Report(Phases::SplittingSegments);
+      const Id point = SplitInMiddle(state, segment, a, b);
+      if (point == None)
+      {
+        return false;
+      }
+      if (point != a)
+      {
+        state.Segments.Split(segment.Number, a, b, point);
+        ends.push_back(point);
+        continue;
+      }
+    }
+    a = b;
+    ends.pop_back();
   }
-  if (point == None)
-  {
-    return false;
-  }
-  state.Segments.Split(segment.Number, a, b, point);
-  return RecoverPiece(state, segment, a, point) && RecoverPiece(state, segment, point, b);
+  return true;
 }
 } // namespace
 
@@ -357,7 +374,7 @@ std::vector<Id> RecoverSegmentsBySplits(
     {
       std::swap(ends[0], ends[1]);
     }
-    if (!RecoverPiece(state, { missing[k], ends[0], ends[1] }, ends[0], ends[1]))
+    if (!SplitAndRecover(state, { missing[k], ends[0], ends[1] }))
     {
       state.Segments.Release(missing[k]);
       failed.push_back(missing[k]);
