@@ -139,7 +139,7 @@ ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
   ForwardMonitor forward(monitor);
   ExactTetrahedralization best;
   std::vector<Id> missing;
-  for (const auto from : { SplitFrom::LowerEnd, SplitFrom::HigherEnd })
+  for (const auto from : { SplitFrom::Middle, SplitFrom::HigherEnd })
   {
     const bool isFirst = best.Tetrahedra.Cells.empty();
     if (!isFirst && Without(FacetsThatCross(points, facets, missing, forward), missing).empty())

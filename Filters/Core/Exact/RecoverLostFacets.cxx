@@ -110,7 +110,7 @@ void RecoverLostFacets(ExactState& state, const std::vector<Point>& points, Spli
   {
     state.Report(Phases::RecoveringLostFacets,
       static_cast<double>(work.Spent() - begin) / static_cast<double>(mostWork));
-    from = from == SplitFrom::LowerEnd ? SplitFrom::HigherEnd : SplitFrom::LowerEnd;
+    from = from == SplitFrom::Middle ? SplitFrom::HigherEnd : SplitFrom::Middle;
     state.Mesh.StartJournal();
     const SegmentTable segments = state.Segments;
     std::vector<Id> now;

@@ -235,6 +235,7 @@ struct SplitSegment
   Id Number;
   Id Start;
   Id End;
+  SplitFrom Where;
 };
 
 /** All crossings of the piece from a to b; the last one is an end or a vertex. */
@@ -298,9 +299,9 @@ bool ConnectPiece(ExactState& state, const SplitSegment& segment, Id a, Id b)
       (PullVertex(state, a, b, MostCellsOfPiece) || PullVertex(state, b, a, MostCellsOfPiece)));
 }
 
-/** Insert a point in the middle of the crossings of a piece from a to b, which does not exist.
+/** Insert a point at a crossing of a piece from a to b, which does not exist.
  * @return the point; a where it connects the two without one; None on failure */
-Id SplitInMiddle(ExactState& state, const SplitSegment& segment, Id a, Id b)
+Id SplitPiece(ExactState& state, const SplitSegment& segment, Id a, Id b)
 {
   FlippableMesh& mesh = state.Mesh;
   std::vector<Crossing> crossings = CrossingsOf(mesh, a, b);
@@ -317,14 +318,15 @@ Id SplitInMiddle(ExactState& state, const SplitSegment& segment, Id a, Id b)
   }
   if (!crossings.empty())
   {
-    return SplitAt(mesh, segment, a, b, MiddleOf(crossings));
+    const bool isMiddle = segment.Where == SplitFrom::Middle;
+    return SplitAt(mesh, segment, a, b, isMiddle ? MiddleOf(crossings) : crossings.front());
   }
   // A point in the volume may lie on the segment by rounding.
   const bool isFree = last.U > mesh.Infinite() && state.SupportOf(last.U).IsNothing();
   return isFree ? last.U : None;
 }
 
-/** Connect the ends of a segment, split in the middle of its crossings, and so on for each half. */
+/** Connect the ends of a segment, split at a crossing, and so on for each part. */
 bool SplitAndRecover(ExactState& state, const SplitSegment& segment)
 {
   Id a = segment.Start;
@@ -339,7 +341,7 @@ bool SplitAndRecover(ExactState& state, const SplitSegment& segment)
         return false;
       }
       state.Report(Phases::SplittingSegments);
-      const Id point = SplitInMiddle(state, segment, a, b);
+      const Id point = SplitPiece(state, segment, a, b);
       if (point == None)
       {
         return false;
@@ -374,7 +376,7 @@ std::vector<Id> RecoverSegmentsBySplits(
     {
       std::swap(ends[0], ends[1]);
     }
-    if (!SplitAndRecover(state, { missing[k], ends[0], ends[1] }))
+    if (!SplitAndRecover(state, { missing[k], ends[0], ends[1], from }))
     {
       state.Segments.Release(missing[k]);
       failed.push_back(missing[k]);

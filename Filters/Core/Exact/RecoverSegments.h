@@ -16,18 +16,18 @@ std::vector<Id> RecoverSegmentsByPulls(ExactState& state, const std::vector<Id>&
 /** Recover segments by flips alone. */
 std::vector<Id> RecoverSegmentsByFlips(ExactState& state, const std::vector<Id>& missing);
 
-/** The end of segments from which Steiner points are placed, and whose pieces come first. */
+/** Where a missing piece of a segment is split. */
 enum class SplitFrom
 {
-  LowerEnd,
-  HigherEnd
+  Middle,   ///< in the middle of what it crosses: few points
+  HigherEnd ///< at what it crosses first from the end with the higher number: other points
 };
 
 /**
- * Recover segments with Steiner points that lie exactly on them. Each lies in the middle of what a
- * missing piece of the segment crosses, within a cell or on an edge, so no constraint is lost. Then
- * flips or pulls connect the two halves, or these are split, too. Only segments that pass through a
- * vertex fail.
+ * Recover segments with Steiner points that lie exactly on them. Each lies where a missing
+ * piece of the segment crosses something, within a cell or on an edge, so no constraint is lost.
+ * Then flips or pulls connect the two parts, or these are split, too. Only segments that pass
+ * through a vertex fail.
  */
 std::vector<Id> RecoverSegmentsBySplits(
   ExactState& state, const std::vector<Id>& missing, SplitFrom from);

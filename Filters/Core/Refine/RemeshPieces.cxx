@@ -28,6 +28,9 @@ constexpr double MostHeightsBetweenRidges = 20;
  * tolerance away from an arc whose radius is three. */
 constexpr double LeastLength = 5;
 
+/** Of the tolerance, for corners where no length is wanted: thin bodies lose volume at each. */
+constexpr double ShareForCorners = 0.5;
+
 bool Has(const Triangle& corners, Id point)
 {
   return std::find(corners.begin(), corners.end(), point) != corners.end();
@@ -304,7 +307,8 @@ private:
     if (this->Mesh.Kinds[point] == PointKind::InFacet || !this->Surface.MayLeave(point) ||
       this->Surface.IsPinched(target) || !this->TakeContracted(point, target) ||
       !this->KeepsLabels(this->Gone, this->Moved) ||
-      !this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh))
+      !this->Bound.AllowsEach(
+        this->Moved, this->Gone, this->Fresh, this->Sizes.ReplacesSurface() ? 1 : ShareForCorners))
     {
       return false;
     }

@@ -140,20 +140,22 @@ bool SurfaceBound::Allows(const std::vector<SurfacePiece>& gone, std::vector<Sur
   {
     return AreUnfolded(fresh, NormalOf(gone.front())) && this->Accepts(gone, fresh);
   }
-  return LookAlike(gone, fresh) && this->StaysNear(gone, fresh) && this->Accepts(gone, fresh);
+  return LookAlike(gone, fresh) && this->StaysNear(gone, fresh, this->Tolerance) &&
+    this->Accepts(gone, fresh);
 }
 
 bool SurfaceBound::AllowsEach(const std::vector<SurfacePiece>& moved,
-  const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh)
+  const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh, double share)
 {
-  return EachLooksAlike(moved, fresh) && this->StaysNear(gone, fresh) && this->Accepts(gone, fresh);
+  return EachLooksAlike(moved, fresh) && this->StaysNear(gone, fresh, share * this->Tolerance) &&
+    this->Accepts(gone, fresh);
 }
 
 /** Whether both surfaces are near each other; sets the facets that fresh pieces are near to. */
 bool SurfaceBound::StaysNear(
-  const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh)
+  const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh, double tolerance)
 {
-  if (!this->PutDown(gone, fresh, this->Tolerance))
+  if (!this->PutDown(gone, fresh, tolerance))
   {
     return false;
   }
@@ -165,7 +167,7 @@ bool SurfaceBound::StaysNear(
     {
       near[k] = this->NearestTo(piece.Corners[k], piece.Places[k], piece.Facet);
     }
-    if (!this->Input->IsWithin({ piece.Places, label }, this->Tolerance, near))
+    if (!this->Input->IsWithin({ piece.Places, label }, tolerance, near))
     {
       return false;
     }

@@ -65,9 +65,10 @@ public:
 
   /** The same if each fresh piece replaces one, and keeps its orientation.
    * @param[in] moved gone pieces, one for each fresh one
+   * @param[in] share of the tolerance within which they have to stay
    */
   bool AllowsEach(const std::vector<SurfacePiece>& moved, const std::vector<SurfacePiece>& gone,
-    std::vector<SurfacePiece>& fresh);
+    std::vector<SurfacePiece>& fresh, double share = 1);
 
   /** Whether pieces that differ only in their triangulation, up to rounding, may replace others. */
   bool AllowsCut(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
@@ -80,7 +81,8 @@ public:
 
 private:
   using Samples = std::vector<Id>;
-  bool StaysNear(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh);
+  bool StaysNear(
+    const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh, double tolerance);
   void TakeSamples(const std::vector<SurfacePiece>& pieces);
   bool PutDown(
     const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh, double most);

@@ -38,7 +38,7 @@ struct Recovery
     std::iota(segments.begin(), segments.end(), 0);
     const std::vector<Id> missing = FindMissingSegments(this->Mesh, segments);
     EXPECT_TRUE(RecoverSegmentsBySplits(
-      this->Mesh, RecoverSegmentsByFlips(this->Mesh, missing), SplitFrom::LowerEnd)
+      this->Mesh, RecoverSegmentsByFlips(this->Mesh, missing), SplitFrom::Middle)
                   .empty());
   }
 

@@ -22,7 +22,7 @@ TEST(RecoverLostFacets, RecoversFacetsThatNobodyTriedBefore)
     ExactState mesh(soup.Points, soup.Triangles, work, monitor);
     ASSERT_FALSE(FindLostFacets(mesh).empty());
     const testflips::MeshRecord before(mesh.Mesh);
-    RecoverLostFacets(mesh, soup.Points, SplitFrom::LowerEnd);
+    RecoverLostFacets(mesh, soup.Points, SplitFrom::Middle);
     EXPECT_TRUE(FindLostFacets(mesh).empty());
     testflips::ExpectFlippableMeshLaws(mesh.Mesh);
     EXPECT_EQ(
@@ -39,7 +39,7 @@ TEST(RecoverLostFacets, LeavesTheMeshLawfulWhereFacetsCross)
   Monitor monitor;
   ExactState mesh(soup.Points, soup.Triangles, work, monitor);
   const std::size_t before = FindLostFacets(mesh).size();
-  RecoverLostFacets(mesh, soup.Points, SplitFrom::LowerEnd);
+  RecoverLostFacets(mesh, soup.Points, SplitFrom::Middle);
   EXPECT_LE(FindLostFacets(mesh).size(), before);
   EXPECT_GT(FindLostFacets(mesh).size(), 0u);
   testflips::ExpectFlippableMeshLaws(mesh.Mesh);

@@ -121,7 +121,7 @@ TEST(RecoverSegments, NoFlipsHaveAllEdgesOfSchoenhardtsPolyhedronAndASteinerPoin
   for (const double turn : { 0.3, -0.3, -0.6 })
   {
     const TriangleSoup prism = testmeshes::TwistedPrism(3, turn);
-    for (const From from : { From::LowerEnd, From::HigherEnd })
+    for (const From from : { From::Middle, From::HigherEnd })
     {
       Recovery recovery(prism.Points, prism.Triangles);
       const MeshRecord before(recovery.Mesh.Mesh);
@@ -156,7 +156,7 @@ TEST(RecoverSegments, ASegmentThroughAVertexIsGivenUpAndLetGo)
   ASSERT_EQ(FindMissingSegments(recovery.Mesh, { segment }), (std::vector<Id>{ segment }));
   const MeshRecord before(recovery.Mesh.Mesh);
   EXPECT_EQ(RecoverSegmentsByFlips(recovery.Mesh, { segment }), (std::vector<Id>{ segment }));
-  EXPECT_EQ(RecoverSegmentsBySplits(recovery.Mesh, { segment }, From::LowerEnd),
+  EXPECT_EQ(RecoverSegmentsBySplits(recovery.Mesh, { segment }, From::Middle),
     (std::vector<Id>{ segment }));
   EXPECT_EQ(recovery.Mesh.Segments.Find(0, 1), None);
   ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
@@ -186,7 +186,7 @@ TEST(RecoverSegments, FlipsGetNearlyAllAndSplitsTheRest)
         return sorted;
       }());
     EXPECT_TRUE(
-      RecoverSegmentsBySplits(recovery.Mesh, rest, seed % 4 < 2 ? From::LowerEnd : From::HigherEnd)
+      RecoverSegmentsBySplits(recovery.Mesh, rest, seed % 4 < 2 ? From::Middle : From::HigherEnd)
         .empty())
       << "seed " << seed;
     ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
@@ -225,7 +225,7 @@ TEST(RecoverSegments, SplitsAloneRecoverAllFromEitherEnd)
 {
   for (unsigned seed = 1; seed <= 16; ++seed)
   {
-    for (const From from : { From::LowerEnd, From::HigherEnd })
+    for (const From from : { From::Middle, From::HigherEnd })
     {
       std::mt19937 random(seed);
       const std::vector<Point> points = AnyPoints(seed, 14);
@@ -247,7 +247,7 @@ TEST(RecoverSegments, SplitsRecoverASegmentAcrossWhichFlatFlipsGoInCircles)
   const std::vector<Triangle> facets = { { { 8, 6, 3 } }, { { 4, 3, 0 } } };
   Recovery recovery(points, facets);
   const MeshRecord before(recovery.Mesh.Mesh);
-  EXPECT_TRUE(RecoverSegmentsBySplits(recovery.Mesh, recovery.Missing(), From::LowerEnd).empty());
+  EXPECT_TRUE(RecoverSegmentsBySplits(recovery.Mesh, recovery.Missing(), From::Middle).empty());
   ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
   recovery.ExpectThere({});
 }
@@ -265,6 +265,6 @@ TEST(RecoverSegments, StopsWhereTheMonitorWantsTo)
     FindMissingSegments(mesh, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 });
   ASSERT_FALSE(missing.empty());
   EXPECT_THROW(RecoverSegmentsByFlips(mesh, missing), Error);
-  EXPECT_THROW(RecoverSegmentsBySplits(mesh, missing, From::LowerEnd), Error);
+  EXPECT_THROW(RecoverSegmentsBySplits(mesh, missing, From::Middle), Error);
   ExpectFlippableMeshLaws(mesh.Mesh);
 }

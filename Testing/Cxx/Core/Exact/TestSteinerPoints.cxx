@@ -57,7 +57,7 @@ void RecoverAll(MeshWithFacets& mesh)
   std::vector<Id> facets(mesh.Facets.size());
   std::iota(facets.begin(), facets.end(), 0);
   const std::vector<Id> left = RecoverSegmentsByFlips(mesh, FindMissingSegments(mesh, segments));
-  EXPECT_TRUE(RecoverSegmentsBySplits(mesh, left, SplitFrom::LowerEnd).empty());
+  EXPECT_TRUE(RecoverSegmentsBySplits(mesh, left, SplitFrom::Middle).empty());
   EXPECT_TRUE(RecoverFacetsBySplits(mesh, MarkWholeFacets(mesh, facets)).empty());
 }
 
