@@ -226,6 +226,12 @@ private:
     this->Fresh.clear();
   }
 
+  /** Whether a step makes low pieces from higher ones. */
+  bool GetsLower() const
+  {
+    return LowestOf(this->Fresh) < std::min(LeastHeight, LowestOf(this->Gone));
+  }
+
   void Replace()
   {
     this->Bound.Replace();
@@ -290,8 +296,7 @@ private:
     }
     const bool isAllowed = this->Surface.IsRidge(point, target)
       ? this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh)
-      : LowestOf(this->Fresh) >= std::min(LeastHeight, LowestOf(this->Gone)) &&
-        this->Bound.Allows(this->Gone, this->Fresh);
+      : !this->GetsLower() && this->Bound.Allows(this->Gone, this->Fresh);
     if (isAllowed)
     {
       this->Surface.Contract(point, target);
@@ -306,7 +311,7 @@ private:
   {
     if (this->Mesh.Kinds[point] == PointKind::InFacet || !this->Surface.MayLeave(point) ||
       this->Surface.IsPinched(target) || !this->TakeContracted(point, target) ||
-      !this->KeepsLabels(this->Gone, this->Moved) ||
+      !this->KeepsLabels(this->Gone, this->Moved) || this->GetsLower() ||
       !this->Bound.AllowsEach(
         this->Moved, this->Gone, this->Fresh, this->Sizes.ReplacesSurface() ? 1 : ShareForCorners))
     {
@@ -421,8 +426,7 @@ private:
     {
       this->Fresh.push_back(With(piece, point, point, place));
     }
-    if (LowestOf(this->Fresh) < std::min(LeastHeight, LowestOf(this->Gone)) ||
-      !this->Bound.Allows(this->Gone, this->Fresh))
+    if (this->GetsLower() || !this->Bound.Allows(this->Gone, this->Fresh))
     {
       return false;
     }
