@@ -28,7 +28,8 @@ constexpr double MostHeightsBetweenRidges = 20;
  * tolerance away from an arc whose radius is three. */
 constexpr double LeastLength = 5;
 
-/** Of the tolerance, for corners where no length is wanted: thin bodies lose volume at each. */
+/** Relative to the tolerance, for corners where no length is wanted: thin bodies lose volume there.
+ */
 constexpr double ShareForCorners = 0.5;
 
 bool Has(const Triangle& corners, Id point)
