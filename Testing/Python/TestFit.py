@@ -245,12 +245,12 @@ class Unfit(CommandLine):
         with self.assertWarnsRegex(insideout.Warning, r"refuses (\d+) of \1 cells.*: they would pass in a smaller unit \(by scale\)"):
             insideout.write(small, self.path("small.msh"))
 
-    def needle(self, height: float):
-        """A box from -1 to 1 with a needle within its upper side."""
+    def needle(self, height: float, is_open: bool = False):
+        """A box from -1 to 1 with a needle within its upper side, perhaps without its left side."""
         points = [*itertools.product((-1, 1), repeat=3), (-0.5, 0, 1), (0.5, 0, 1), (0, height, 1)]
         around = [(1, 5, 8), (5, 9, 8), (5, 7, 9), (7, 10, 9), (7, 3, 10), (3, 8, 10), (3, 1, 8), (8, 9, 10)]
         sides = [(0, 2, 6, 4), (0, 4, 5, 1), (4, 6, 7, 5), (6, 2, 3, 7), (2, 0, 1, 3)]
-        return surfaces.polydata(points, [*around, *sides])
+        return surfaces.polydata(points, [*around, *sides[: -1 if is_open else None]])
 
     def test_a_needle_that_a_solver_would_refuse_is_removed_and_told(self):
         needle = self.needle(1e-20)
@@ -295,6 +295,14 @@ class Unfit(CommandLine):
         made = insideout.tetrahedralize(self.needle(1e-4), refine=True, scale=3e-6)
         self.assertEqual(made.statistics["RefusedCells"], 0)
         self.assertRegex(" ".join(made.warnings), r"where the surface is kept: it is remeshed, within \S+, and 0 are left; set")
+
+    def test_a_needle_beside_a_hole_is_remeshed_for_holes_have_no_name_of_the_users(self):
+        made = insideout.tetrahedralize(self.needle(1e-4, is_open=True), refine=True, scale=3e-6)
+        self.assertEqual(made.statistics["RefusedCells"], 0)
+        self.assertRegex(" ".join(made.warnings), "where the surface is kept: it is remeshed")
+        areas = areas_by_tag(made)
+        self.assertAlmostEqual(areas["hole"] / 3.6e-11, 1, 6)
+        self.assertAlmostEqual(areas["surface"] / 1.8e-10, 1, 6)
 
     def test_needles_of_the_surface_are_told_and_gone_after_the_advice(self):
         needles = surfaces.joined(surfaces.box(), surfaces.box((0.1, 0, 1 - 1e-4)))

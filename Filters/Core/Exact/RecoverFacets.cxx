@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverFacets.h"
 
+#include "Common/Edge.h"
 #include "Exact/Flips.h"
 #include "Exact/Phases.h"
 #include "Exact/SteinerPoints.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <set>
 #include <unordered_set>
 #include <utility>
@@ -208,15 +208,10 @@ std::vector<MeshEdge> AllCrossings(
 {
   std::vector<MeshEdge> edges(1, first);
   std::vector<Id> cells(1, mesh.FindEdge(first.first, first.second)); // one at each edge
-  const auto keyOf = [](Id x, Id y)
-  {
-    const auto [low, high] = std::minmax(x, y);
-    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
-  };
-  std::unordered_set<std::uint64_t> known = { keyOf(first.first, first.second) };
+  std::unordered_set<Edge, HashOfEdge> known = { EdgeBetween(first.first, first.second) };
   const auto look = [&](Id x, Id y, Id cell)
   {
-    if (known.insert(keyOf(x, y)).second && target.CostOfEdge(x, y) > 0)
+    if (known.insert(EdgeBetween(x, y)).second && target.CostOfEdge(x, y) > 0)
     {
       edges.push_back({ x, y });
       cells.push_back(cell);

@@ -221,7 +221,7 @@ TEST(RecoverSegments, PullsGetMostAndFlipsSomeOfTheRest)
   EXPECT_LT(stillLeft, left);
 }
 
-TEST(RecoverSegments, SplitsAloneRecoverAllFromEitherEnd)
+TEST(RecoverSegments, SplitsAloneRecoverAllFromTheMiddleOrAnEnd)
 {
   for (unsigned seed = 1; seed <= 16; ++seed)
   {

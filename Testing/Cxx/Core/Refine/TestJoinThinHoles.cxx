@@ -32,9 +32,16 @@ TetrahedralMesh CubeWithThinRow()
   return ConnectCells(cube.Points, cube.Cells);
 }
 
-/** Labels of faces: those on top whose corners are all in a rectangle close holes. */
+using Places = std::array<Point, 3>;
+
+bool AreAll(const Places& places, const std::function<bool(const Point&)>& isThere)
+{
+  return std::all_of(places.begin(), places.end(), isThere);
+}
+
+/** Parameters of a surface to be remeshed, in which some faces close holes. */
 RefinementParameters WithHoles(
-  const TetrahedralMesh& mesh, const std::function<bool(const Point&)>& isInHole)
+  const TetrahedralMesh& mesh, const std::function<bool(const Places&)>& isHole)
 {
   RefinementParameters parameters;
   parameters.Surface = SurfaceTreatment::Remeshed;
@@ -44,17 +51,20 @@ RefinementParameters WithHoles(
     std::array<Id, 4> labels;
     for (int k = 0; k < 4; ++k)
     {
-      const auto places = CornersOf(mesh.Points, FaceOf(cell, k));
-      const bool isHole = std::all_of(
-        places.begin(), places.end(), [&](const Point& p) { return p[2] == 600 && isInHole(p); });
-      labels[k] = isHole ? Hole : Surface;
+      labels[k] = isHole(CornersOf(mesh.Points, FaceOf(cell, k))) ? Hole : Surface;
     }
     parameters.Labels.push_back(labels);
   }
   return parameters;
 }
 
-/** The number of facets of each label of two, before and after holes are joined. */
+/** Whether a face is in the thin row on top of that cube. */
+bool IsInRow(const Places& places)
+{
+  return AreAll(places, [](const Point& p) { return p[2] == 600 && p[1] >= 300 && p[1] <= 301; });
+}
+
+/** The number of facets that close holes, before and after thin ones are joined. */
 std::array<std::ptrdiff_t, 2> FacetsOfHoles(
   const TetrahedralMesh& mesh, const RefinementParameters& parameters, double distance)
 {
@@ -74,15 +84,18 @@ std::array<std::ptrdiff_t, 2> FacetsOfHoles(
 TEST(JoinThinHoles, JoinsHolesWithinADistanceOfTheRestAlone)
 {
   const TetrahedralMesh cube = CubeWithThinRow();
-  const RefinementParameters strip =
-    WithHoles(cube, [](const Point& p) { return p[1] >= 300 && p[1] <= 301; });
+  const RefinementParameters strip = WithHoles(cube, IsInRow);
   using Counts = std::array<std::ptrdiff_t, 2>;
   EXPECT_EQ(FacetsOfHoles(cube, strip, 1.01), (Counts{ { 12, 0 } }));
   EXPECT_EQ(FacetsOfHoles(cube, strip, 0.49), (Counts{ { 12, 12 } }));
 
   const RefinementParameters both = WithHoles(cube,
-    [](const Point& p)
-    { return (p[1] >= 300 && p[1] <= 301) || (p[1] <= 100 && p[0] >= 200 && p[0] <= 400); });
+    [](const Places& places)
+    {
+      return IsInRow(places) ||
+        AreAll(places,
+          [](const Point& p) { return p[2] == 600 && p[1] <= 100 && p[0] >= 200 && p[0] <= 400; });
+    });
   EXPECT_EQ(FacetsOfHoles(cube, both, 2), (Counts{ { 16, 4 } }));
 
   RefinementParameters named = strip;
@@ -94,8 +107,7 @@ TEST(JoinThinHoles, JoinsHolesToFacetsBetweenTheSameRegions)
 {
   // The strip is the border between two regions: on either side it joins its own.
   const TetrahedralMesh cube = CubeWithThinRow();
-  const RefinementParameters strip =
-    WithHoles(cube, [](const Point& p) { return p[1] >= 300 && p[1] <= 301; });
+  const RefinementParameters strip = WithHoles(cube, IsInRow);
   std::vector<Id> regions;
   for (const Tetrahedron& cell : cube.Cells)
   {
@@ -127,23 +139,15 @@ TEST(RemeshedSurface, HasLongEdgesWherePartsDoNotQuiteMeet)
     p[1] = p[1] == 700 ? 601 : p[1];
   }
   fine = ConnectCells(fine.Points, fine.Cells);
-  RefinementParameters parameters;
-  parameters.Surface = SurfaceTreatment::Remeshed;
+  RefinementParameters parameters = WithHoles(fine,
+    [](const Places& places)
+    {
+      const double x = (places[0][0] + places[1][0] + places[2][0]) / 3;
+      return std::fmod(x, 200) < 100 &&
+        AreAll(places, [](const Point& p) { return p[2] == 1200 && p[1] >= 600 && p[1] <= 601; });
+    });
   parameters.SurfaceTolerance = 2;
   parameters.Sizes.EdgeLength = 400;
-  for (const Tetrahedron& cell : fine.Cells)
-  {
-    std::array<Id, 4> labels;
-    for (int k = 0; k < 4; ++k)
-    {
-      const auto p = CornersOf(fine.Points, FaceOf(cell, k));
-      const double x = (p[0][0] + p[1][0] + p[2][0]) / 3;
-      const bool isHole = std::all_of(p.begin(), p.end(),
-        [](const Point& q) { return q[2] == 1200 && q[1] >= 600 && q[1] <= 601; });
-      labels[k] = isHole && std::fmod(x, 200) < 100 ? Hole : Surface;
-    }
-    parameters.Labels.push_back(labels);
-  }
   Monitor monitor;
   std::array<std::size_t, 2> points;
   for (int i = 0; i < 2; ++i)
