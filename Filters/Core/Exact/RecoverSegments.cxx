@@ -137,20 +137,19 @@ bool ClearOne(ExactState& state, Id a, Id b, const Crossing& first, const FlipTa
 bool Recover(ExactState& state, Id a, Id b, const FlipEffort& effort)
 {
   const FlipTarget target = FlipTarget::Segment(state.Mesh, a, b);
-  for (int flips = 0; flips < FlipsPerSegment; ++flips)
+  for (int flips = 0;; ++flips)
   {
     const Crossing first = FirstCrossing(state.Mesh, a, b);
     if (first.Kind == Crossing::AtEnd)
     {
       return true;
     }
-    if (state.Mesh.Work().Spent() > effort.EndOfWork ||
+    if (flips == FlipsPerSegment || state.Mesh.Work().Spent() > effort.EndOfWork ||
       !ClearOne(state, a, b, first, target, effort))
     {
       return false;
     }
   }
-  return false;
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverSegments.h"
 
+#include "Exact/SegmentWalk.h"
 #include "Support/ExactReference.h"
 #include "Support/FlippableMeshLaws.h"
 #include "Support/FlippableMeshes.h"
@@ -250,6 +251,36 @@ TEST(RecoverSegments, SplitsRecoverASegmentAcrossWhichFlatFlipsGoInCircles)
   EXPECT_TRUE(RecoverSegmentsBySplits(recovery.Mesh, recovery.Missing(), From::Middle).empty());
   ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
   recovery.ExpectThere({});
+}
+
+TEST(RecoverSegments, FlipsUpToTheirLimitConnectASegmentWithoutASteinerPoint)
+{
+  // A flat lens between two apexes. The segment between its tips crosses all edges of the lens but
+  // those of its rim; each plain flip removes one.
+  constexpr int limit = 50;
+  std::vector<Point> points = { { { -1, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 0, 8 } },
+    { { 0, 0, -8 } } };
+  for (int k = 0; k <= limit; ++k)
+  {
+    const double x = -1 + 2 * (k + 1.0) / (limit + 2);
+    points.push_back({ { x, (k % 2 == 0 ? 0.25 : -0.25) * (1 - x * x), 0 } });
+  }
+  Recovery recovery(points, { { { 0, 1, 2 } } });
+  ASSERT_EQ(recovery.Missing(), (std::vector<Id>{ 0 }));
+  const FlippableMesh& mesh = recovery.Mesh.Mesh;
+  int crossed = 0;
+  for (Crossing at = FirstCrossing(mesh, 0, 1); at.Kind == Crossing::ThroughEdge;
+       at = NextCrossing(mesh, 0, 1, at))
+  {
+    ++crossed;
+  }
+  ASSERT_EQ(crossed, limit);
+  const MeshRecord before(mesh);
+  const Id vertices = mesh.Vertices().Size();
+  EXPECT_TRUE(RecoverSegmentsBySplits(recovery.Mesh, { 0 }, From::Middle).empty());
+  EXPECT_EQ(mesh.Vertices().Size(), vertices);
+  EXPECT_TRUE(recovery.Missing().empty());
+  ExpectFlippableMeshLaws(mesh, before);
 }
 
 TEST(RecoverSegments, StopsWhereTheMonitorWantsTo)
