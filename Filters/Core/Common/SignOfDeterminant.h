@@ -38,6 +38,10 @@ int SignOfDeterminant(const Rows<Number>& rows, double epsilon)
     sizes[k] = rows.Errors[k] +
       std::max({ std::abs(static_cast<double>(m[0][k])), std::abs(static_cast<double>(m[1][k])),
         std::abs(static_cast<double>(m[2][k])) });
+    if (sizes[k] == 0) // exactly, in a plane across an axis
+    {
+      return 0;
+    }
     if (!(sizes[k] > SmallestSize && sizes[k] < LargestSize))
     {
       return Undecided;

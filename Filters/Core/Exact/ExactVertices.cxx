@@ -295,12 +295,17 @@ int ExactVertices::OrientExactly(const Tetrahedron& cell) const
     rows.Errors[k] += std::abs(beyond[0][k]);
   }
   int sign = SignOfDeterminant(rows, DoubleEpsilon);
-  if (sign != Undecided)
+  if (sign != Undecided && sign != 0)
   {
     return sign;
   }
   if (this->AreInOnePlane(cell))
   {
+    return 0;
+  }
+  if (sign == 0) // the limits of work count it as if exact numbers had found it
+  {
+    this->Budget->Spend(WorkOfDoubleDoubles + WorkOfExactPredicate);
     return 0;
   }
   Rows<DoubleDouble> longRows;
