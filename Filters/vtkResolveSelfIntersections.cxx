@@ -76,6 +76,7 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
       outputs.AddLeftOutCells(surface, output);
 
       vtkInsideOut::Warn(this, chain.Warnings);
+      vtkInsideOut::Warn(this, resolution.Warnings);
       vtkInsideOut::Warn(this, outputs.Warnings);
       if (surface.NumberOfConstraints < surface.NumberOfFacets())
       {

@@ -675,6 +675,7 @@ void BodyResolver::ResolveAlone()
   Resolution resolution = ResolveSelfIntersections(
     chain, this->Watch, { std::vector<Id>(chain.Facets.size(), 0), this->OwnCrossings[0] });
   this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
+  this->Warn(this->Given[0], resolution.Warnings);
   this->Result.Surface = std::move(resolution.Surface);
   for (const std::int16_t count : this->Result.Surface.Multiplicity)
   {
@@ -697,6 +698,8 @@ void BodyResolver::ResolveTogether()
   Resolution resolution =
     ResolveSelfIntersections(together, this->Watch, this->Known, this->Touching, mayTouch);
   this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
+  const auto& warnings = resolution.Warnings;
+  this->Result.Warnings.insert(this->Result.Warnings.end(), warnings.begin(), warnings.end());
   this->TakeResolved(std::move(resolution.Surface));
   this->TellOfNearBodies();
 }

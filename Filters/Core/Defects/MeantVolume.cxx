@@ -71,7 +71,7 @@ bool IsClosed(const FacetComplex& surface)
   return CountedBoundary(CountedFacets(surface), static_cast<Id>(surface.Points.size())).empty();
 }
 
-/** The volumes if the surface is closed and few of its facets meet, else nothing. */
+/** The volumes if the surface is closed, few of its facets meet and none is bent, else nothing. */
 std::optional<WindingVolumes> ExactVolumes(const CountedComplex& counted, Monitor& monitor)
 {
   const FacetComplex& surface = counted.Surface;
@@ -85,8 +85,9 @@ std::optional<WindingVolumes> ExactVolumes(const CountedComplex& counted, Monito
     return VolumesWithin(surface, monitor);
   }
   const std::vector<Id> oneSet(surface.Facets.size(), 0);
-  return VolumesWithin(
-    ResolveSelfIntersections(surface, monitor, { oneSet, counted.Meeting }).Surface, monitor);
+  const Resolution resolution =
+    ResolveSelfIntersections(surface, monitor, { oneSet, counted.Meeting });
+  return resolution.Warnings.empty() ? VolumesWithin(resolution.Surface, monitor) : std::nullopt;
 }
 
 VolumeInterval Exact(double volume)

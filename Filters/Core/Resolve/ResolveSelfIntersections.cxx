@@ -6,9 +6,11 @@
 #include "Common/ScaledPoints.h"
 #include "Common/SortUniquely.h"
 #include "Common/Stages.h"
+#include "Common/Vectors.h"
 #include "Resolve/CollapseSlivers.h"
 #include "Resolve/CutFacets.h"
 #include "Resolve/CutLayers.h"
+#include "Resolve/FindTangles.h"
 #include "Resolve/PointIndex.h"
 #include "Resolve/SnappingRadius.h"
 #include "Resolve/SplitAlike.h"
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <unordered_map>
 
 namespace insideout
@@ -68,6 +71,16 @@ std::vector<Id> CoverOf(std::vector<std::array<Id, 2>> pairs)
   return cover;
 }
 
+std::string WordsOf(const Tangle& tangle)
+{
+  std::ostringstream words;
+  words << tangle.Facets.size() << " facets cross each other in " << tangle.Crossings
+        << " points near (" << tangle.Center[0] << ", " << tangle.Center[1] << ", "
+        << tangle.Center[2] << "): they are bent by up to " << tangle.Distance
+        << ", to meet in one point there";
+  return words.str();
+}
+
 class Resolver
 {
 public:
@@ -76,6 +89,7 @@ public:
     const KnownCrossings& known, const TouchingFacets& touching, const std::vector<Id>& mayTouch);
 
 private:
+  std::vector<std::string> JoinTangles();
   void CutRepeatedly();
   void Cut(const ProgressRange& progress);
   void MergeTouching(const TouchingFacets& touching);
@@ -134,6 +148,7 @@ Resolution Resolver::Resolve(
   {
     this->MergeTouching(touching);
     this->MergeLayers(layers);
+    resolution.Warnings = this->JoinTangles();
     this->CutRepeatedly();
   }
   resolution.Rounds = this->Round;
@@ -142,6 +157,42 @@ Resolution Resolver::Resolve(
       { Stages::Resolving, 1, 1 });
   this->Watch.Check(Stages::Resolving, 1);
   return resolution;
+}
+
+/**
+ * Split the edges and facets of each tangle at its center, as if it lay on them: those along an
+ * edge alike, so that closed chains stay closed. @return a warning for each tangle
+ */
+std::vector<std::string> Resolver::JoinTangles()
+{
+  const std::vector<Tangle> tangles = FindTangles({ this->Now.Points, this->Now.Facets },
+    this->Now.Crossings, this->Watch, { Stages::Resolving, 0, 0 });
+  if (tangles.empty())
+  {
+    return {};
+  }
+  std::vector<std::string> warnings;
+  SplittableFacets splittable(this->Now.Points.size(), this->Now.Facets);
+  for (const Tangle& tangle : tangles)
+  {
+    const Id center = this->Now.AddPoint(tangle.Center, this->Now.RootOf(tangle.Facets[0]));
+    for (const Edge& edge : tangle.Edges)
+    {
+      splittable.Split(edge, center);
+    }
+    for (const Id f : tangle.Facets)
+    {
+      if (splittable.IsThere(f))
+      {
+        splittable.SplitFacet(f, center);
+      }
+    }
+    warnings.push_back(WordsOf(tangle));
+  }
+  this->Now.Apply(splittable.Result());
+  this->Collapse(this->Now.DegenerateFacets());
+  this->Now.FindCrossings(this->Watch);
+  return warnings;
 }
 
 /** Cut until nothing crosses; otherwise restore the round with the fewest crossing facets. */

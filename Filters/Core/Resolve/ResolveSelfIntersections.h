@@ -4,6 +4,9 @@
 #include "Common/FacetComplex.h"
 #include "Common/Monitor.h"
 
+#include <string>
+#include <vector>
+
 namespace insideout
 {
 struct Resolution
@@ -11,6 +14,7 @@ struct Resolution
   FacetComplex Surface;
   std::vector<std::array<Id, 2>> IntersectingPairs; ///< facets of the input complex, sorted
   int Rounds = 0; ///< number of rounds of cutting: more than 1 if rounding made new crossings
+  std::vector<std::string> Warnings; ///< of tangles whose facets were bent
 };
 
 /** Crossings of a complex that were found before. */
@@ -34,9 +38,9 @@ struct TouchingFacets
  * Stage pre: cut facets where they meet other than in shared points and edges, until none do (the
  * pre-processing of thesis, chapter 8). Cutting is exact. Then new points are rounded to doubles,
  * slivers are collapsed, and facets that cross afterwards are cut again. Layers that cross because
- * they coincide only up to rounding are merged first. Input points keep their coordinates and come
- * first, in their order. No point, not even an unused one, lies within a constraint or an edge of
- * one.
+ * they coincide only up to rounding are merged first. Each tangle (FindTangles) is joined in a
+ * point, with a warning. Input points keep their coordinates and come first, in their order. No
+ * point, not even an unused one, lies within a constraint or an edge of one.
  *
  * Pieces that coincide become one facet with all sources and the sum of the multiplicities. If
  * rounding folds a triangle onto itself, its opposite pieces cancel. Facets that still cross after

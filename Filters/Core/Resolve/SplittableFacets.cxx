@@ -81,8 +81,24 @@ std::vector<ReplacedFacet> SplittableFacets::PartsOfSplit(const Edge& edge, Id p
 Id SplittableFacets::Split(const Edge& edge, Id point)
 {
   const Id first = this->Count();
-  const std::vector<ReplacedFacet> parts = this->PartsOfSplit(edge, point);
-  for (const Id f : this->FacetsAlong(edge))
+  this->Replace(this->FacetsAlong(edge), this->PartsOfSplit(edge, point));
+  return first;
+}
+
+void SplittableFacets::SplitFacet(Id f, Id point)
+{
+  std::vector<ReplacedFacet> parts(3, { this->CornersOf(f), this->ParentOf(f) });
+  for (int k = 0; k < 3; ++k)
+  {
+    parts[k].Corners[k] = point;
+  }
+  this->Replace({ f }, parts);
+}
+
+void SplittableFacets::Replace(
+  const std::vector<Id>& facets, const std::vector<ReplacedFacet>& parts)
+{
+  for (const Id f : facets)
   {
     this->IsAlive[f] = 0;
   }
@@ -96,7 +112,6 @@ Id SplittableFacets::Split(const Edge& edge, Id point)
       this->AddedAlong[EdgeBetween(part.Corners[k], part.Corners[(k + 1) % 3])].push_back(f);
     }
   }
-  return first;
 }
 
 Replacement SplittableFacets::Result() const

@@ -53,6 +53,9 @@ public:
    */
   Id Split(const Edge& edge, Id point);
 
+  /** Split a facet into three at a point, which becomes a corner of each. */
+  void SplitFacet(Id f, Id point);
+
   void Remove(Id f) { this->IsAlive[f] = 0; }
 
   Id Count() const { return static_cast<Id>(this->IsAlive.size()); }
@@ -62,6 +65,7 @@ public:
 private:
   std::vector<Id> FacetsAlong(const Edge& edge) const;
   Id ParentOf(Id f) const;
+  void Replace(const std::vector<Id>& facets, const std::vector<ReplacedFacet>& parts);
 
   const std::vector<Triangle>& Given;
   const Buckets<Id> AtPoints; ///< the given facets at each point
