@@ -90,6 +90,7 @@ public:
 
 private:
   std::vector<std::string> JoinTangles();
+  Id PlaceCenter(const Tangle& tangle);
   void CutRepeatedly();
   void Cut(const ProgressRange& progress);
   void MergeTouching(const TouchingFacets& touching);
@@ -159,9 +160,20 @@ Resolution Resolver::Resolve(
   return resolution;
 }
 
+/** The id of the point at a tangle's center: one that is there up to rounding, or a new one. */
+Id Resolver::PlaceCenter(const Tangle& tangle)
+{
+  const std::vector<Point>& points = this->Now.Points;
+  const auto there = std::find_if(points.begin(), points.end(),
+    [&](const Point& p) { return Distance(p, tangle.Center) <= SnappingRadius(this->Size); });
+  return there != points.end()
+    ? static_cast<Id>(there - points.begin())
+    : this->Now.AddPoint(tangle.Center, this->Now.RootOf(tangle.Facets[0]));
+}
+
 /**
  * Split the edges and facets of each tangle at its center, as if it lay on them: those along an
- * edge alike, so that closed chains stay closed. @return a warning for each tangle
+ * edge alike, so that closed chains stay closed. @return a warning for each tangle that is bent
  */
 std::vector<std::string> Resolver::JoinTangles()
 {
@@ -175,19 +187,25 @@ std::vector<std::string> Resolver::JoinTangles()
   SplittableFacets splittable(this->Now.Points.size(), this->Now.Facets);
   for (const Tangle& tangle : tangles)
   {
-    const Id center = this->Now.AddPoint(tangle.Center, this->Now.RootOf(tangle.Facets[0]));
+    const Id center = this->PlaceCenter(tangle);
     for (const Edge& edge : tangle.Edges)
     {
-      splittable.Split(edge, center);
+      if (edge[0] != center && edge[1] != center)
+      {
+        splittable.Split(edge, center);
+      }
     }
     for (const Id f : tangle.Facets)
     {
-      if (splittable.IsThere(f))
+      if (splittable.IsThere(f) && !HasCorner(this->Now.Facets[f], center))
       {
         splittable.SplitFacet(f, center);
       }
     }
-    warnings.push_back(WordsOf(tangle));
+    if (tangle.Distance > SnappingRadius(this->Size))
+    {
+      warnings.push_back(WordsOf(tangle));
+    }
   }
   this->Now.Apply(splittable.Result());
   this->Collapse(this->Now.DegenerateFacets());

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -179,6 +180,19 @@ TEST(FindTangles, JoinedTanglesKeepTheVolume)
   }
   const double base = Sides * std::sin(2 * Pi / Sides) / 2;
   EXPECT_NEAR(volume, base / 3 * (1 + 0.6 * 0.6 * 0.6), 1e-5);
+}
+
+TEST(FindTangles, JoinsThemInAPointThatIsThere)
+{
+  TriangleSoup soup = DoubleCone(Sides);
+  const Point center = TanglesOf(soup).at(0).Center;
+  const Id there = static_cast<Id>(soup.Points.size());
+  soup.Points.push_back(center);
+  const FacetComplex surface = Resolve(soup).Surface;
+  EXPECT_EQ(std::count(surface.Points.begin(), surface.Points.end(), center), 1);
+  EXPECT_EQ(std::count_if(surface.Facets.begin(), surface.Facets.end(),
+              [&](const Triangle& t) { return std::count(t.begin(), t.end(), there) == 1; }),
+    2 * Sides);
 }
 
 TEST(FindTangles, CanBeStopped)
