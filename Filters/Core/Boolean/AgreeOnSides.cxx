@@ -119,7 +119,7 @@ std::vector<unsigned char> AgreeOnSides(const TriangleSoup& soup, const std::vec
   }
   const Id count = static_cast<Id>(triangles.size());
   Agreements agreements(count);
-  const std::vector<FacetEdge> edges = SortedFacetEdges(triangles);
+  const FacetEdges edges = SortedFacetEdges(triangles);
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
     { JoinAtEdge(first, last, sides, agreements); });

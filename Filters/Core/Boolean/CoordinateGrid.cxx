@@ -3,6 +3,7 @@
 
 #include "Common/Floats.h"
 #include "Common/SortUniquely.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
 #include <charconv>
@@ -95,6 +96,10 @@ std::optional<CoordinateGrid> FindCoordinateGrid(const std::vector<Point>& point
   std::vector<double> sizes;
   for (const Point& p : points)
   {
+    if (!IsFinite(p))
+    {
+      continue;
+    }
     for (const double x : p)
     {
       if (areFloats && !IsFloat(x))

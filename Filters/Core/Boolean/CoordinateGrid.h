@@ -35,7 +35,7 @@ private:
  * they need 6 to 9 significant digits, and many of them need all of these. Coordinates that need
  * fewer digits are taken for floats: whether they were rounded is unknown.
  *
- * @param[in] points finite
+ * @param[in] points those that are not finite are skipped
  * @return nothing if some coordinate needs the digits of a double
  */
 std::optional<CoordinateGrid> FindCoordinateGrid(const std::vector<Point>& points);

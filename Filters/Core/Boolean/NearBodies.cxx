@@ -6,7 +6,6 @@
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Resolve/CutLayers.h"
-#include "Resolve/FacetsNearOthers.h"
 #include "Resolve/SnappingRadius.h"
 
 #include <algorithm>
@@ -32,20 +31,6 @@ struct Contact
 };
 
 using Contacts = std::map<std::array<Id, 2>, Contact>;
-
-/** Per facet, one of the bodies that it counts for, if there is one: for constraints. */
-std::vector<Id> BodyOfFacets(const ResolvedBodies& bodies)
-{
-  std::vector<Id> body(bodies.Surface.Facets.size(), None);
-  for (Id f = 0; f < bodies.Surface.NumberOfConstraints; ++f)
-  {
-    if (bodies.CountOffsets[f] < bodies.CountOffsets[f + 1])
-    {
-      body[f] = bodies.BodyCounts[bodies.CountOffsets[f]].Body;
-    }
-  }
-  return body;
-}
 
 /** The largest distance of a triangle's corners from the plane of another. */
 double LargestHeight(const std::array<Point, 3>& triangle, const std::array<Point, 3>& other)
@@ -102,16 +87,25 @@ double PowerOfTenFrom(double distance)
 }
 } // namespace
 
-std::vector<NearBodies> FindNearBodies(const ResolvedBodies& bodies, Monitor& monitor)
+std::vector<NearBodies> FindNearBodies(
+  const ResolvedBodies& bodies, const std::vector<Id>& candidates, Monitor& monitor)
 {
   const FacetComplex& surface = bodies.Surface;
   const double size = LargestCoordinate(surface.Points);
   const double radius = SnappingRadius(size);
-  const std::vector<Id> body = BodyOfFacets(bodies);
-  const std::vector<Id> mayBeNear = FacetsNearOthers(surface.Points, surface.Facets, body, radius);
+  std::vector<Id> counting; // constraints that count, and for each a body that it counts for
+  std::vector<Id> bodyOf;
+  for (const Id f : candidates)
+  {
+    if (f < surface.NumberOfConstraints && bodies.CountOffsets[f] < bodies.CountOffsets[f + 1])
+    {
+      counting.push_back(f);
+      bodyOf.push_back(bodies.BodyCounts[bodies.CountOffsets[f]].Body);
+    }
+  }
   Contacts contacts;
-  for (const auto& [f, g] : FindLayers({ surface.Points, surface.Facets }, mayBeNear, radius,
-         monitor, { Stages::Resolving, 1, 1 }, body))
+  for (const auto& [f, g] : FindLayers({ surface.Points, surface.Facets }, counting, radius,
+         monitor, { Stages::Resolving, 1, 1 }, bodyOf))
   {
     AddLayers(bodies, f, g, contacts);
   }

@@ -23,10 +23,12 @@ struct NearBodies
  * snapping radius (FindLayers, SnappingRadius). The resolver merged such facets if they cross.
  * Others stay apart, which is exact but hardly ever intended.
  *
+ * @param[in] candidates all facets that may be near one of another body, and perhaps more
  * @return by bodies
  * @throws Error (Stopped)
  */
-std::vector<NearBodies> FindNearBodies(const ResolvedBodies& bodies, Monitor& monitor);
+std::vector<NearBodies> FindNearBodies(
+  const ResolvedBodies& bodies, const std::vector<Id>& candidates, Monitor& monitor);
 
 /**
  * A line for each of the first pairs of bodies: their names, and a touch tolerance that makes them

@@ -25,7 +25,7 @@ std::vector<signed char> SidesOfFacets(const SurfacePatches& patches, const Patc
 }
 
 /** @throws Error Inconsistent */
-void CheckBalance(const std::vector<FacetEdge>& edges, const std::vector<signed char>& sides)
+void CheckBalance(const FacetEdges& edges, const std::vector<signed char>& sides)
 {
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
@@ -45,9 +45,9 @@ void CheckBalance(const std::vector<FacetEdge>& edges, const std::vector<signed 
 }
 } // namespace
 
-std::vector<BoundaryTriangle> PatchBoundary(const FacetComplex& surface,
-  const std::vector<FacetEdge>& edges, const SurfacePatches& patches, const PatchPlaces& places,
-  const std::vector<HoldsBeside>& holds, const std::vector<int>& counts)
+std::vector<BoundaryTriangle> PatchBoundary(const FacetComplex& surface, const FacetEdges& edges,
+  const SurfacePatches& patches, const PatchPlaces& places, const std::vector<HoldsBeside>& holds,
+  const std::vector<int>& counts)
 {
   const std::vector<signed char> sides = SidesOfFacets(patches, places, holds, counts);
   CheckBalance(edges, sides);

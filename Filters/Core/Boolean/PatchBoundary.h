@@ -29,7 +29,7 @@ struct HoldsBeside
  * @return triangles by points of the surface, in the order of its facets
  * @throws Error Inconsistent if an edge is not traversed equally often both ways
  */
-std::vector<BoundaryTriangle> PatchBoundary(const FacetComplex& surface,
-  const std::vector<FacetEdge>& edges, const SurfacePatches& patches, const PatchPlaces& places,
-  const std::vector<HoldsBeside>& holds, const std::vector<int>& counts);
+std::vector<BoundaryTriangle> PatchBoundary(const FacetComplex& surface, const FacetEdges& edges,
+  const SurfacePatches& patches, const PatchPlaces& places, const std::vector<HoldsBeside>& holds,
+  const std::vector<int>& counts);
 } // namespace insideout

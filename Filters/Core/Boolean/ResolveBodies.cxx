@@ -4,7 +4,6 @@
 #include "Boolean/CloseGaps.h"
 #include "Boolean/NearBodies.h"
 #include "Boolean/TouchBodies.h"
-#include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
 #include "Common/JobsAtOnce.h"
 #include "Common/ScaledPoints.h"
@@ -16,6 +15,7 @@
 #include "Resolve/FindIntersections.h"
 #include "Resolve/ResolveSelfIntersections.h"
 #include "Resolve/SnappingRadius.h"
+#include "Validate/FacetSources.h"
 #include "Validate/MergePoints.h"
 
 #include <algorithm>
@@ -42,27 +42,6 @@ void SetMultiplicity(const std::vector<int>& multiplicity, FacetComplex& surface
           " times; at most 32767 can be counted");
     }
     surface.Multiplicity.push_back(static_cast<std::int16_t>(count));
-  }
-}
-
-/** @param[in] places per source, its facet and whether that is turned over */
-void SetSources(const std::vector<FacetSource>& places, FacetComplex& surface)
-{
-  const Buckets<FacetSource> sources(surface.Facets.size(),
-    [&](auto visit)
-    {
-      for (std::size_t i = 0; i < places.size(); ++i)
-      {
-        visit(static_cast<std::size_t>(places[i].Triangle),
-          FacetSource{ static_cast<Id>(i), places[i].Reversed });
-      }
-    });
-  surface.Sources.reserve(places.size());
-  surface.SourceOffsets.reserve(surface.Facets.size() + 1);
-  for (std::size_t f = 0; f < surface.Facets.size(); ++f)
-  {
-    surface.Sources.insert(surface.Sources.end(), sources[f].begin(), sources[f].end());
-    surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
   }
 }
 
@@ -99,6 +78,9 @@ constexpr double MostUneven = 1.25;
  */
 constexpr int ThreadsOfABody = 2;
 
+/** Room for points of cuts, so that no list of points is copied when they are appended. */
+constexpr std::size_t PointsPerSparePoint = 16;
+
 class BodyResolver
 {
 public:
@@ -130,21 +112,15 @@ private:
   bool Thickens() const { return this->Parameters.Thicken.Width != 0; }
   void ResolveAlone();
   void ResolveTogether();
-  struct ChainPoints
-  {
-    std::vector<Point> Points;
-    std::vector<PointOrigin> Origins; ///< by the bodies' numbers
-    std::vector<Id> First;            ///< of each chain
-    std::vector<Id> Merged;
-  };
-  ChainPoints PointsOfChains();
+  std::vector<Id> TakePoints(FacetComplex& together);
   FacetComplex Together();
   void TakeOwnCrossings(const std::vector<FacetSource>& places);
   void TakeTouching(const std::vector<FacetSource>& places);
-  void TakeResolved(FacetComplex resolved);
+  void FindNearOthers(const FacetComplex& together);
+  std::vector<Id> TakeResolved(FacetComplex resolved);
   void FindGrids();
   void Touch();
-  void TellOfNearBodies();
+  void TellOfNearBodies(const std::vector<Id>& candidates);
   std::vector<std::string> Names() const;
   Id BodyOf(Id chainFacet) const;
   void Warn(const Body& body, const std::vector<std::string>& warnings);
@@ -158,12 +134,13 @@ private:
 
   std::vector<FacetComplex>
     Chains; ///< one per body; once oriented, by the body's numbers of points and triangles
-  std::vector<std::vector<FacetEdge>> Edges; ///< per chain, until it is oriented
-  std::vector<Id> FirstFacet; ///< per chain, if the facets of all are numbered consecutively
+  std::vector<FacetEdges> Edges; ///< per chain, until it is oriented
+  std::vector<Id> FirstFacet;    ///< per chain, if the facets of all are numbered consecutively
   std::vector<std::vector<std::array<Id, 2>>> OwnCrossings; ///< per chain, by its facets
   std::vector<std::optional<CoordinateGrid>> Grids;         ///< one per body, if there are several
-  TouchingFacets Touching; ///< by facets of the chains, in sequence, later of the whole
-  KnownCrossings Known;    ///< of the whole, with a body per facet
+  TouchingFacets Touching;  ///< by facets of the chains, in sequence, later of the whole
+  KnownCrossings Known;     ///< of the whole, with a body per facet
+  std::vector<char> IsNear; ///< per facet of the chains: may be near another body's after all
   ResolvedBodies Result;
 };
 
@@ -405,65 +382,77 @@ void BodyResolver::OrientBodies()
   }
 }
 
-/** The points of all chains, and for each the lowest one with the same coordinates. */
-BodyResolver::ChainPoints BodyResolver::PointsOfChains()
+/**
+ * Move the points of all chains to the complex, each place once.
+ * @return per point of the chains, numbered consecutively, its point of the complex
+ */
+std::vector<Id> BodyResolver::TakePoints(FacetComplex& together)
 {
-  ChainPoints all;
-  std::size_t points = 0;
+  std::size_t count = 0;
   for (const FacetComplex& chain : this->Chains)
   {
-    points += chain.Points.size();
+    count += chain.Points.size();
   }
-  all.Points.reserve(points);
-  all.Origins.reserve(points);
-  for (const FacetComplex& chain : this->Chains)
+  together.Points.reserve(count + count / PointsPerSparePoint);
+  together.Origins.reserve(count + count / PointsPerSparePoint);
+  for (FacetComplex& chain : this->Chains)
   {
-    all.First.push_back(static_cast<Id>(all.Points.size()));
-    all.Points.insert(all.Points.end(), chain.Points.begin(), chain.Points.end());
-    all.Origins.insert(all.Origins.end(), chain.Origins.begin(), chain.Origins.end());
+    together.Points.insert(together.Points.end(), chain.Points.begin(), chain.Points.end());
+    together.Origins.insert(together.Origins.end(), chain.Origins.begin(), chain.Origins.end());
+    chain.Points = {};
+    chain.Origins = {};
   }
-  all.Merged = MergePoints(all.Points, 0);
-  for (std::size_t p = 0; p < all.Merged.size(); ++p)
+  std::vector<Id> index = MergePoints(together.Points, 0);
+  for (std::size_t p = 0; p < count; ++p)
   {
-    const PointOrigin& lowest = all.Origins[all.Merged[p]];
-    if (all.Origins[p].IsInput() && lowest.IsInput())
+    const PointOrigin& lowest = together.Origins[index[p]];
+    if (index[p] != static_cast<Id>(p) && together.Origins[p].IsInput() && lowest.IsInput())
     {
-      this->SamePoints.Join(all.Origins[p].Points[0], lowest.Points[0]);
+      this->SamePoints.Join(together.Origins[p].Points[0], lowest.Points[0]);
     }
   }
-  for (PointOrigin& origin : all.Origins)
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < count; ++p)
   {
-    for (Id& p : origin.Points)
+    const Id lowest = index[p];
+    index[p] = lowest == static_cast<Id>(p) ? static_cast<Id>(kept) : index[lowest];
+    if (lowest == static_cast<Id>(p))
     {
-      p = this->SamePoints.Find(p);
+      together.Points[kept] = together.Points[p];
+      together.Origins[kept] = together.Origins[p];
+      for (Id& point : together.Origins[kept].Points)
+      {
+        point = this->SamePoints.Find(point);
+      }
+      ++kept;
     }
   }
-  return all;
+  together.Points.resize(kept);
+  together.Origins.resize(kept);
+  return index;
 }
 
 /** The chains as one complex, whose sources are the chains' facets, numbered consecutively. */
 FacetComplex BodyResolver::Together()
 {
   FacetComplex together;
-  const ChainPoints points = this->PointsOfChains();
-  together.Points.reserve(points.Points.size());
-  together.Origins.reserve(points.Points.size());
-  std::vector<Id> index(points.Points.size(), None);
-  std::vector<char> isShared; // per point of the complex: used by several bodies
-  isShared.reserve(points.Points.size());
-  for (std::size_t p = 0; p < index.size(); ++p)
+  std::vector<Id> firstPoint;
+  Id points = 0;
+  for (const FacetComplex& chain : this->Chains)
   {
-    const Id lowest = points.Merged[p];
-    if (lowest == static_cast<Id>(p))
+    firstPoint.push_back(points);
+    points += static_cast<Id>(chain.Points.size());
+  }
+  const std::vector<Id> index = this->TakePoints(together);
+  std::vector<char> isShared(together.Points.size(), 0); // several points of chains are one
+  for (std::size_t p = 0, next = 0; p < index.size(); ++p)
+  {
+    if (index[p] == static_cast<Id>(next))
     {
-      index[p] = static_cast<Id>(together.Points.size());
-      together.Points.push_back(points.Points[p]);
-      together.Origins.push_back(points.Origins[p]);
-      isShared.push_back(0);
+      ++next;
     }
     else
     {
-      index[p] = index[lowest];
       isShared[index[p]] = 1;
     }
   }
@@ -488,7 +477,7 @@ FacetComplex BodyResolver::Together()
       Triangle corners = this->Chains[b].Facets[f];
       for (Id& p : corners)
       {
-        p = index[points.First[b] + p];
+        p = index[firstPoint[b] + p];
       }
       FacetSource place = { together.NumberOfFacets(), false };
       if (isShared[corners[0]] && isShared[corners[1]] && isShared[corners[2]])
@@ -508,9 +497,10 @@ FacetComplex BodyResolver::Together()
       multiplicity[place.Triangle] += place.Reversed ? -count : count;
       places.push_back(place);
     }
+    this->Chains[b].Facets = {};
   }
   SetMultiplicity(multiplicity, together);
-  SetSources(places, together);
+  SetFacetSources(places, together);
   this->TakeOwnCrossings(places);
   this->TakeTouching(places);
   together.NumberOfConstraints = together.NumberOfFacets();
@@ -553,12 +543,30 @@ void BodyResolver::TakeTouching(const std::vector<FacetSource>& places)
   this->Touching.Pairs = std::move(pairs);
 }
 
+/** Find the facets that are near other bodies, or may be once all are cut. */
+void BodyResolver::FindNearOthers(const FacetComplex& together)
+{
+  const double size = LargestCoordinate(together.Points);
+  this->Known.NearOthers = FacetsNearOthers(together.Points, together.Facets, this->Known.SetOf,
+    SnappingRadius(size) + LargestShift(size) + this->Touching.Radius);
+  this->IsNear.resize(together.Sources.size(), 0);
+  for (const Id f : this->Known.NearOthers)
+  {
+    for (Id s = together.SourceOffsets[f]; s < together.SourceOffsets[f + 1]; ++s)
+    {
+      this->IsNear[together.Sources[s].Triangle] = 1;
+    }
+  }
+}
+
 /**
  * Store the resolved complex, and translate its sources from facets of the chains to bodies and
  * their triangles.
+ * @return the facets that may be near another body's
  */
-void BodyResolver::TakeResolved(FacetComplex resolved)
+std::vector<Id> BodyResolver::TakeResolved(FacetComplex resolved)
 {
+  std::vector<Id> near;
   std::vector<FacetSource> sources;
   std::vector<Id> offsets = { 0 };
   std::vector<BodyCount>& counts = this->Result.BodyCounts;
@@ -570,9 +578,11 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
   {
     const std::size_t firstSource = sources.size();
     const std::size_t firstCount = counts.size();
+    bool isNear = false;
     for (Id s = resolved.SourceOffsets[f]; s < resolved.SourceOffsets[f + 1]; ++s)
     {
       const auto [facet, reversed] = resolved.Sources[s];
+      isNear |= this->IsNear[facet] != 0;
       const Id body = this->BodyOf(facet);
       const FacetComplex& chain = this->Chains[body];
       const Id own = facet - this->FirstFacet[body];
@@ -586,6 +596,10 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
       {
         sources.push_back({ chain.Sources[i].Triangle, chain.Sources[i].Reversed != reversed });
       }
+    }
+    if (isNear)
+    {
+      near.push_back(f);
     }
     counts.erase(std::remove_if(counts.begin() + firstCount, counts.end(),
                    [](const BodyCount& count) { return count.Count == 0; }),
@@ -601,6 +615,7 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
   resolved.Sources = std::move(sources);
   resolved.SourceOffsets = std::move(offsets);
   this->Result.Surface = std::move(resolved);
+  return near;
 }
 
 std::vector<std::string> BodyResolver::Names() const
@@ -618,10 +633,7 @@ void BodyResolver::FindGrids()
 {
   for (const Body& body : this->Given)
   {
-    std::vector<Point> finite;
-    std::copy_if(body.Soup.Points.begin(), body.Soup.Points.end(), std::back_inserter(finite),
-      [](const Point& p) { return IsFinite(p); });
-    this->Grids.push_back(FindCoordinateGrid(finite));
+    this->Grids.push_back(FindCoordinateGrid(body.Soup.Points));
   }
 }
 
@@ -641,9 +653,9 @@ void BodyResolver::Touch()
   }
 }
 
-void BodyResolver::TellOfNearBodies()
+void BodyResolver::TellOfNearBodies(const std::vector<Id>& candidates)
 {
-  std::vector<NearBodies> near = FindNearBodies(this->Result, this->Watch);
+  std::vector<NearBodies> near = FindNearBodies(this->Result, candidates, this->Watch);
   for (NearBodies& pair : near)
   {
     this->Result.NearTriangles += pair.Triangles;
@@ -671,9 +683,10 @@ Id BodyResolver::BodyOf(Id chainFacet) const
 /** Resolve the only body: its chain is the whole complex. */
 void BodyResolver::ResolveAlone()
 {
-  const FacetComplex& chain = this->Chains[0];
-  Resolution resolution = ResolveSelfIntersections(
-    chain, this->Watch, { std::vector<Id>(chain.Facets.size(), 0), this->OwnCrossings[0] });
+  FacetComplex& chain = this->Chains[0];
+  const KnownCrossings known = { std::vector<Id>(chain.Facets.size(), 0), {},
+    this->OwnCrossings[0] };
+  Resolution resolution = ResolveSelfIntersections(std::move(chain), this->Watch, known);
   this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
   this->Warn(this->Given[0], resolution.Warnings);
   this->Result.Surface = std::move(resolution.Surface);
@@ -689,19 +702,17 @@ void BodyResolver::ResolveAlone()
 
 void BodyResolver::ResolveTogether()
 {
-  const FacetComplex together = this->Together();
+  FacetComplex together = this->Together();
   // Without a tolerance even the smallest overlap counts.
-  const std::vector<Id> mayTouch = this->Parameters.Chain.MergeTolerance > 0
-    ? FacetsNearOthers(together.Points, together.Facets, this->Known.SetOf,
-        SnappingRadius(LargestCoordinate(together.Points)))
-    : std::vector<Id>();
-  Resolution resolution =
-    ResolveSelfIntersections(together, this->Watch, this->Known, this->Touching, mayTouch);
+  this->FindNearOthers(together);
+  const std::vector<Id> mayTouch =
+    this->Parameters.Chain.MergeTolerance > 0 ? this->Known.NearOthers : std::vector<Id>();
+  Resolution resolution = ResolveSelfIntersections(
+    std::move(together), this->Watch, this->Known, this->Touching, mayTouch);
   this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
   const auto& warnings = resolution.Warnings;
   this->Result.Warnings.insert(this->Result.Warnings.end(), warnings.begin(), warnings.end());
-  this->TakeResolved(std::move(resolution.Surface));
-  this->TellOfNearBodies();
+  this->TellOfNearBodies(this->TakeResolved(std::move(resolution.Surface)));
 }
 
 ResolvedBodies BodyResolver::Resolve()
@@ -739,6 +750,7 @@ ResolvedBodies BodyResolver::Resolve()
   std::sort(this->Result.TurnedTriangles.begin(), this->Result.TurnedTriangles.end());
   std::sort(this->Result.SheetTriangles.begin(), this->Result.SheetTriangles.end());
   areSeveral ? this->ResolveTogether() : this->ResolveAlone();
+  this->Result.MergedInto.reserve(static_cast<std::size_t>(this->NumberOfIds));
   for (Id p = 0; p < this->NumberOfIds; ++p)
   {
     this->Result.MergedInto.push_back(this->SamePoints.Find(p));

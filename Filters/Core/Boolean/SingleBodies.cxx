@@ -5,8 +5,7 @@
 
 namespace insideout
 {
-std::vector<char> FindClosedBodies(
-  const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges)
+std::vector<char> FindClosedBodies(const ResolvedBodies& bodies, const FacetEdges& edges)
 {
   std::vector<char> isClosed(bodies.Bodies.size(), 1);
   std::vector<int> sums(bodies.Bodies.size(), 0);
@@ -34,7 +33,7 @@ std::vector<char> FindClosedBodies(
   return isClosed;
 }
 
-bool AreClosed(const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges)
+bool AreClosed(const ResolvedBodies& bodies, const FacetEdges& edges)
 {
   const std::vector<char> isClosed = FindClosedBodies(bodies, edges);
   return std::find(isClosed.begin(), isClosed.end(), 0) == isClosed.end();

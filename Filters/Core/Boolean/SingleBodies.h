@@ -12,11 +12,10 @@ namespace insideout
  *
  * @param[in] edges those of Surface.Facets
  */
-std::vector<char> FindClosedBodies(
-  const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges);
+std::vector<char> FindClosedBodies(const ResolvedBodies& bodies, const FacetEdges& edges);
 
 /** Whether no body has a boundary. */
-bool AreClosed(const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges);
+bool AreClosed(const ResolvedBodies& bodies, const FacetEdges& edges);
 
 /** The facets with their multiplicities in one body: w of this complex is that of the body. */
 FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body);

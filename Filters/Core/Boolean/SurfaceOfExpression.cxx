@@ -94,7 +94,7 @@ std::optional<ExpressionSurface> SurfaceOfExpression(
   const ResolvedBodies& bodies, const SetExpression& expression, Monitor& monitor)
 {
   const FacetComplex& surface = bodies.Surface;
-  const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
+  const FacetEdges edges = SortedFacetEdges(surface.Facets);
   if (surface.NumberOfConstraints < surface.NumberOfFacets() || !AreClosed(bodies, edges))
   {
     return std::nullopt;

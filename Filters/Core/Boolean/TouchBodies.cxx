@@ -294,6 +294,12 @@ bool BodyToucher::AreInOnePlane(const TouchingPair& pair) const
 
 Touches BodyToucher::Touch()
 {
+  const auto onGrids = std::count_if(
+    this->Grids.begin(), this->Grids.end(), [](const auto& grid) { return grid.has_value(); });
+  if (this->Tolerance <= 0 && onGrids < 2)
+  {
+    return {};
+  }
   std::vector<Point> points;
   std::vector<Triangle> facets;
   for (std::size_t b = 0; b < this->Chains.size(); ++b)

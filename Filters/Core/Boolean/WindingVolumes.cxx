@@ -14,7 +14,7 @@ std::optional<WindingVolumes> VolumesWithin(const FacetComplex& surface, Monitor
   {
     return std::nullopt;
   }
-  const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
+  const FacetEdges edges = SortedFacetEdges(surface.Facets);
   const SurfacePatches patches = FindPatches(surface, edges);
   const PatchPlaces places(surface, patches);
   std::vector<int> counts;

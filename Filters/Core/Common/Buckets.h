@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/ParallelLoop.h"
+#include "Common/RawVector.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -105,7 +106,7 @@ public:
   }
 
   /** Release all values, bucket by bucket; the buckets are unusable afterwards. */
-  std::vector<Value> TakeAll() && { return std::move(this->Values); }
+  RawVector<Value> TakeAll() && { return std::move(this->Values); }
 
 private:
   void AddUpSizes()
@@ -124,6 +125,6 @@ private:
   }
 
   std::vector<std::size_t> Begin;
-  std::vector<Value> Values;
+  RawVector<Value> Values;
 };
 } // namespace insideout

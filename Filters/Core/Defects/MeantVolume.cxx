@@ -86,7 +86,7 @@ std::optional<WindingVolumes> ExactVolumes(const CountedComplex& counted, Monito
   }
   const std::vector<Id> oneSet(surface.Facets.size(), 0);
   const Resolution resolution =
-    ResolveSelfIntersections(surface, monitor, { oneSet, counted.Meeting });
+    ResolveSelfIntersections(surface, monitor, { oneSet, {}, counted.Meeting });
   return resolution.Warnings.empty() ? VolumesWithin(resolution.Surface, monitor) : std::nullopt;
 }
 

@@ -50,7 +50,7 @@ struct EdgeDefects
   Id Unbalanced = 0;
 };
 
-EdgeDefects FindEdgeDefects(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+EdgeDefects FindEdgeDefects(const FacetComplex& surface, const FacetEdges& edges)
 {
   EdgeDefects defects;
   defects.HasInconsistent.assign(surface.NumberOfFacets(), 0);
@@ -239,7 +239,7 @@ SurfaceDefects FindSurfaceDefects(
     defects.Volumes = FindMeantVolume(surface, defects.Turns.Multiplicity, pairs, monitor);
   }
 
-  const std::vector<FacetEdge>& edges = chain.Edges;
+  const FacetEdges& edges = chain.Edges;
   const FacetComponents components = ComponentsOfFacets(surface.NumberOfFacets(), edges);
   const EdgeDefects edgeDefects = FindEdgeDefects(surface, edges);
   defects.InconsistentEdges = static_cast<Id>(edgeDefects.Inconsistent.size());

@@ -188,7 +188,7 @@ void DelaunayTetrahedra::NumberCells()
   ParallelLoop(byLast.Size(), NanosecondsPerSortedVertex,
     [&](std::size_t vertex)
     { byLast.Sort(vertex, [](const Named& a, const Named& b) { return a.Others < b.Others; }); });
-  const std::vector<Named> cells = std::move(byLast).TakeAll();
+  const RawVector<Named> cells = std::move(byLast).TakeAll();
   this->IdOf.resize(cells.size());
   this->NumberOf.assign(ids, None);
   ParallelLoop(this->IdOf.size(), NanosecondsPerCell,

@@ -74,7 +74,7 @@ void SortAlongCurve(
     halfSize = std::max(halfSize, bounds.High[axis] / 2 - bounds.Low[axis] / 2);
   }
   constexpr double boxes = 1 << Levels;
-  std::vector<Key> keys(count);
+  RawVector<Key> keys(count);
   ParallelLoop(count, NanosecondsPerPoint,
     [&](std::size_t i)
     {

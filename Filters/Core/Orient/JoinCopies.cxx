@@ -111,8 +111,8 @@ private:
 class CopyJoiner
 {
 public:
-  CopyJoiner(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
-    const SeamedPatches& patches, const PatchCopies& copies, TurnedSets& sets)
+  CopyJoiner(const FacetComplex& surface, const FacetEdges& edges, const SeamedPatches& patches,
+    const PatchCopies& copies, TurnedSets& sets)
     : Surface(surface)
     , Edges(edges)
     , Patches(patches)
@@ -249,7 +249,7 @@ public:
 
 private:
   const FacetComplex& Surface;
-  const std::vector<FacetEdge>& Edges;
+  const FacetEdges& Edges;
   const SeamedPatches& Patches;
   const PatchCopies& Copies;
   const std::vector<Id> Surfaces; // per copy
@@ -267,7 +267,7 @@ PatchCopies::PatchCopies(const SeamedPatches& patches)
   }
 }
 
-void JoinCopies(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+void JoinCopies(const FacetComplex& surface, const FacetEdges& edges,
   const std::vector<PatchSeam>& seams, const SeamedPatches& patches, const PatchCopies& copies,
   TurnedSets& sets)
 {

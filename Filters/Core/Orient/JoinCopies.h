@@ -35,7 +35,7 @@ private:
  * @param[in] seams that balance
  * @param[in,out] sets of copies
  */
-void JoinCopies(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+void JoinCopies(const FacetComplex& surface, const FacetEdges& edges,
   const std::vector<PatchSeam>& seams, const SeamedPatches& patches, const PatchCopies& copies,
   TurnedSets& sets);
 } // namespace insideout

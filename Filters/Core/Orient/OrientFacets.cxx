@@ -150,7 +150,7 @@ void TurnCopies(const FacetComplex& surface, const Shells& shells,
 }
 
 /** Mark the facets with an edge at which the counted facets do not sum to 0. */
-std::vector<char> BesideOpenEdges(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+std::vector<char> BesideOpenEdges(const FacetComplex& surface, const FacetEdges& edges)
 {
   std::vector<char> marks(surface.Facets.size(), 0);
   ForEachEdge(edges,
@@ -171,8 +171,7 @@ std::vector<char> BesideOpenEdges(const FacetComplex& surface, const std::vector
 
 /** Count repeated facets whose copies do not count, cancel or face both ways, next to facets that
  * disagree; if none disagree, those next to open edges that face one way more often. */
-Id CountDoubtfulCopies(
-  const FacetComplex& surface, const std::vector<FacetEdge>& edges, Id disagreeingFacets)
+Id CountDoubtfulCopies(const FacetComplex& surface, const FacetEdges& edges, Id disagreeingFacets)
 {
   if (surface.Sources.size() == surface.Facets.size())
   {
@@ -197,13 +196,13 @@ Id CountDoubtfulCopies(
 }
 
 /** Find shells, and choose which facets to turn. */
-FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+FacetTurns ChooseFacets(const FacetComplex& surface, const FacetEdges& edges,
   Orientation orientation, Monitor& monitor, Crossings crossings)
 {
   const Shells shells = FindShells(surface, edges);
   const int exponent = LargestExponent(surface.Points);
   const std::vector<Point> points = ScaledPoints(surface.Points, -exponent);
-  const std::vector<ShellChain> chains = CloseShells(surface, shells, points);
+  const std::vector<ShellChain> chains = CloseShells(surface, edges, shells, points);
   const bool automatic = orientation == Orientation::Automatic;
   ShellTurns chosen;
   std::vector<ShellRole> roles(chains.size(), ShellRole::Counts);
@@ -318,7 +317,7 @@ std::vector<std::string> WarningsOfUncounted(const FacetTurns& turns)
 }
 } // namespace
 
-FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+FacetTurns FindFacetTurns(const FacetComplex& surface, const FacetEdges& edges,
   Orientation orientation, Monitor& monitor, Crossings crossings)
 {
   monitor.Check(Stages::Orienting, 0);
@@ -332,8 +331,8 @@ FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEd
   return turns;
 }
 
-FacetTurns OrientFacets(FacetComplex& surface, const std::vector<FacetEdge>& edges,
-  Orientation orientation, Monitor& monitor, Crossings crossings)
+FacetTurns OrientFacets(FacetComplex& surface, const FacetEdges& edges, Orientation orientation,
+  Monitor& monitor, Crossings crossings)
 {
   FacetTurns turns = FindFacetTurns(surface, edges, orientation, monitor, crossings);
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)

@@ -78,12 +78,12 @@ struct FacetTurns
  * @param[in] crossings without any this is faster
  * @throws Error (Stopped)
  */
-FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+FacetTurns FindFacetTurns(const FacetComplex& surface, const FacetEdges& edges,
   Orientation orientation, Monitor& monitor, Crossings crossings = Crossings::Unknown);
 
 /** The same, and turn them. @param[in,out] surface Multiplicity and Sources change */
-FacetTurns OrientFacets(FacetComplex& surface, const std::vector<FacetEdge>& edges,
-  Orientation orientation, Monitor& monitor, Crossings crossings = Crossings::Unknown);
+FacetTurns OrientFacets(FacetComplex& surface, const FacetEdges& edges, Orientation orientation,
+  Monitor& monitor, Crossings crossings = Crossings::Unknown);
 
 /** The input triangles of facets that are marked, ascending. @param[in] marks one per facet */
 std::vector<Id> TrianglesOfFacets(const FacetComplex& surface, const std::vector<char>& marks);

@@ -90,7 +90,7 @@ void JoinEqual(std::vector<PatchSeam>& seams)
 }
 } // namespace
 
-SeamedPatches FindSeams(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+SeamedPatches FindSeams(const FacetComplex& surface, const FacetEdges& edges)
 {
   SeamedPatches found;
   found.Patches = FindPatches(surface, edges);

@@ -53,7 +53,7 @@ struct SeamedPatches
  *
  * @param[in] edges those of facets that count, or of whose copies some cancel
  */
-SeamedPatches FindSeams(const FacetComplex& surface, const std::vector<FacetEdge>& edges);
+SeamedPatches FindSeams(const FacetComplex& surface, const FacetEdges& edges);
 
 /**
  * A facet's own orientation along the seam: PatchAtSeam has facets with a negative count turned

@@ -84,75 +84,132 @@ private:
   std::vector<Id> Ids;
 };
 
-/** Cap the holes of a shell whose triangles and area are set. */
-void Close(ShellChain& shell, PointsInUse& points)
+/** Cap the holes of a shell whose facets and area are set. */
+void CapHolesOf(ShellChain& shell, PointsInUse& points)
 {
-  shell.Triangles = points.Renumber(std::move(shell.Triangles));
-  const std::vector<CountedEdge> boundary =
-    CountedBoundary(shell.Triangles, static_cast<Id>(points.Points.size()));
-  shell.Kind = boundary.empty() ? ShellKind::Closed : ShellKind::Holed;
-  if (!boundary.empty())
+  shell.Triangles = points.Renumber(shell.Facets);
+  const auto caps = CapHoles(
+    points.Points, CountedBoundary(shell.Triangles, static_cast<Id>(points.Points.size())));
+  double area = 0;
+  for (const std::vector<CountedTriangle>& cap : caps)
   {
-    const auto caps = CapHoles(points.Points, boundary);
-    double area = 0;
-    for (const std::vector<CountedTriangle>& cap : caps)
+    for (const CountedTriangle& triangle : cap)
     {
-      for (const CountedTriangle& triangle : cap)
-      {
-        area += AreaOf(points.Points, triangle.Corners);
-      }
-      shell.Caps.insert(shell.Caps.end(), cap.begin(), cap.end());
+      area += AreaOf(points.Points, triangle.Corners);
     }
-    shell.Kind = area > LargestCaps * shell.Area ? ShellKind::Sheet : ShellKind::Holed;
-    shell.Triangles = CloseChain(std::move(shell.Triangles), caps);
+    shell.Caps.insert(shell.Caps.end(), cap.begin(), cap.end());
   }
-  shell.Volume = VolumeOf(points.Points, shell.Triangles);
+  shell.Kind = area > LargestCaps * shell.Area ? ShellKind::Sheet : ShellKind::Holed;
+  shell.Triangles = CloseChain(std::move(shell.Triangles), caps);
   points.Restore(shell.Triangles);
   points.Restore(shell.Caps);
 }
-} // namespace
 
-std::vector<ShellChain> CloseShells(
-  const FacetComplex& surface, const Shells& shells, const std::vector<Point>& points)
+/** Call visit(shell, count) for the copies of facets, by facet, counted as their shells turn them.
+ */
+class CopiesOfFacets
 {
-  struct Copy
+public:
+  explicit CopiesOfFacets(const Shells& shells)
+    : Given(shells)
+    , More(shells.MoreCopies.empty() ? 0 : shells.Shell.size(),
+        [&](auto visit)
+        {
+          for (const ShellCopy& copy : shells.MoreCopies)
+          {
+            visit(static_cast<std::size_t>(copy.Facet), copy);
+          }
+        })
   {
-    Id Facet;
-    int Count;
-  };
-  const Buckets<Copy> copies(static_cast<std::size_t>(shells.Count),
-    [&](auto visit)
+  }
+
+  template <class Visitor>
+  void Visit(Id facet, const Visitor& visit) const
+  {
+    if (this->Given.Shell[facet] != None)
     {
-      std::size_t more = 0;
-      for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+      const int count = this->Given.Multiplicity[facet];
+      visit(this->Given.Shell[facet], this->Given.Turned[facet] ? -count : count);
+    }
+    if (!this->Given.MoreCopies.empty())
+    {
+      for (const ShellCopy& copy : this->More[static_cast<std::size_t>(facet)])
       {
-        if (shells.Shell[f] != None)
-        {
-          visit(static_cast<std::size_t>(shells.Shell[f]),
-            Copy{ f, shells.Turned[f] ? -shells.Multiplicity[f] : shells.Multiplicity[f] });
-        }
-        for (; more < shells.MoreCopies.size() && shells.MoreCopies[more].Facet == f; ++more)
-        {
-          const ShellCopy& copy = shells.MoreCopies[more];
-          visit(static_cast<std::size_t>(copy.Shell),
-            Copy{ f, copy.Turned ? -copy.Multiplicity : copy.Multiplicity });
-        }
+        visit(copy.Shell, copy.Turned ? -copy.Multiplicity : copy.Multiplicity);
+      }
+    }
+  }
+
+private:
+  const Shells& Given;
+  const Buckets<ShellCopy> More;
+};
+
+/** One per shell: whether its facets do not sum to 0 at each edge. */
+std::vector<char> OpenShells(
+  Id numberOfShells, const CopiesOfFacets& copies, const FacetEdges& edges)
+{
+  std::vector<char> isOpen(static_cast<std::size_t>(numberOfShells), 0);
+  std::vector<std::int64_t> sums(isOpen.size(), 0);
+  ForEachEdge(edges,
+    [&](const FacetEdge* first, const FacetEdge* last)
+    {
+      for (const FacetEdge* edge = first; edge != last; ++edge)
+      {
+        copies.Visit(
+          edge->Facet, [&](Id shell, int count) { sums[shell] += edge->Direction * count; });
+      }
+      for (const FacetEdge* edge = first; edge != last; ++edge)
+      {
+        copies.Visit(edge->Facet,
+          [&](Id shell, int)
+          {
+            isOpen[shell] |= sums[shell] != 0;
+            sums[shell] = 0;
+          });
       }
     });
+  return isOpen;
+}
+} // namespace
+
+std::vector<ShellChain> CloseShells(const FacetComplex& surface, const FacetEdges& edges,
+  const Shells& shells, const std::vector<Point>& points)
+{
+  const CopiesOfFacets copies(shells);
+  const auto forCopies = [&](const auto& visit)
+  {
+    for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+    {
+      copies.Visit(f, [&](Id shell, int count) { visit(f, shell, count); });
+    }
+  };
+  std::vector<std::size_t> sizes(static_cast<std::size_t>(shells.Count), 0);
+  forCopies([&](Id, Id shell, int) { ++sizes[shell]; });
+  std::vector<ShellChain> chains(sizes.size());
+  for (std::size_t shell = 0; shell < chains.size(); ++shell)
+  {
+    chains[shell].IsLoose = shells.IsLoose[shell] != 0;
+    chains[shell].Facets.reserve(sizes[shell]);
+  }
+  forCopies(
+    [&](Id f, Id shell, int count)
+    {
+      chains[shell].Facets.push_back({ surface.Facets[f], count });
+      chains[shell].Area += AreaOf(points, surface.Facets[f]);
+    });
+  const std::vector<char> isOpen = OpenShells(shells.Count, copies, edges);
   PointsInUse inUse(points);
-  std::vector<ShellChain> chains(static_cast<std::size_t>(shells.Count));
   for (std::size_t shell = 0; shell < chains.size(); ++shell)
   {
     ShellChain& chain = chains[shell];
-    chain.IsLoose = shells.IsLoose[shell] != 0;
-    chain.Facets.reserve(copies[shell].Size());
-    for (const Copy& copy : copies[shell])
-    {
-      chain.Facets.push_back({ surface.Facets[copy.Facet], copy.Count });
-      chain.Area += AreaOf(points, surface.Facets[copy.Facet]);
-    }
+    chain.Kind = ShellKind::Closed;
     chain.Triangles = chain.Facets;
-    Close(chain, inUse);
+    if (isOpen[shell])
+    {
+      CapHolesOf(chain, inUse);
+    }
+    chain.Volume = VolumeOf(points, chain.Triangles);
   }
   return chains;
 }

@@ -36,8 +36,9 @@ struct ShellChain
  * closed by fans (HoleCaps.h). If the fans' area exceeds `LargestCaps` times the facets' area, the
  * shell is a sheet.
  *
+ * @param[in] edges those of surface.Facets
  * @param[in] points those of the surface, or the same scaled: area and volume are in their units
  */
-std::vector<ShellChain> CloseShells(
-  const FacetComplex& surface, const Shells& shells, const std::vector<Point>& points);
+std::vector<ShellChain> CloseShells(const FacetComplex& surface, const FacetEdges& edges,
+  const Shells& shells, const std::vector<Point>& points);
 } // namespace insideout

@@ -90,9 +90,8 @@ void SortRelations(std::vector<Relation>& relations)
 }
 
 /** Join the copies of loose patches, or of all others. */
-void JoinPatches(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
-  const SeamedPatches& patches, const PatchCopies& copies, const std::vector<char>& isLoose,
-  char loose, TurnedSets& sets)
+void JoinPatches(const FacetComplex& surface, const FacetEdges& edges, const SeamedPatches& patches,
+  const PatchCopies& copies, const std::vector<char>& isLoose, char loose, TurnedSets& sets)
 {
   SeamsOfPatches seams;
   for (const PatchSeam& seam : patches.Seams)
@@ -252,8 +251,8 @@ std::vector<char> TurnedPatches(const Shells& shells, const SeamedPatches& patch
 }
 
 /** One per patch: the volume that it encloses once it is turned and its holes are capped. */
-std::vector<double> VolumesOfPatches(
-  const FacetComplex& surface, const SeamedPatches& patches, const Shells& shells)
+std::vector<double> VolumesOfPatches(const FacetComplex& surface, const FacetEdges& edges,
+  const SeamedPatches& patches, const Shells& shells)
 {
   Shells each;
   each.Count = patches.Patches.Count;
@@ -265,7 +264,7 @@ std::vector<double> VolumesOfPatches(
     each.Multiplicity.push_back(static_cast<std::int16_t>(SignOfCount(surface.Multiplicity[f])));
   }
   std::vector<double> volumes;
-  for (const ShellChain& chain : CloseShells(surface, each, patches.Points))
+  for (const ShellChain& chain : CloseShells(surface, edges, each, patches.Points))
   {
     volumes.push_back(chain.Volume);
   }
@@ -273,7 +272,7 @@ std::vector<double> VolumesOfPatches(
 }
 } // namespace
 
-Shells FindShells(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+Shells FindShells(const FacetComplex& surface, const FacetEdges& edges)
 {
   const auto isThere = [&](Id f)
   { return surface.Multiplicity[f] != 0 || (!surface.Opposed.empty() && surface.Opposed[f] != 0); };
@@ -282,13 +281,13 @@ Shells FindShells(const FacetComplex& surface, const std::vector<FacetEdge>& edg
   {
     allAre = allAre && isThere(f);
   }
-  std::vector<FacetEdge> some;
+  FacetEdges some;
   if (!allAre)
   {
     std::copy_if(edges.begin(), edges.end(), std::back_inserter(some),
       [&](const FacetEdge& edge) { return isThere(edge.Facet); });
   }
-  const std::vector<FacetEdge>& used = allAre ? edges : some;
+  const FacetEdges& used = allAre ? edges : some;
   const SeamedPatches patches = FindSeams(surface, used);
   const PatchCopies copies(patches);
   std::vector<char> loose(patches.Count.size(), 0);
@@ -303,7 +302,7 @@ Shells FindShells(const FacetComplex& surface, const std::vector<FacetEdge>& edg
   const std::vector<char> turned = TurnedPatches(shells, patches);
   if (!AllSeamsBalance(patches, turned))
   {
-    loose = FindLoosePatches(patches, turned, VolumesOfPatches(surface, patches, shells));
+    loose = FindLoosePatches(patches, turned, VolumesOfPatches(surface, edges, patches, shells));
     if (std::find(loose.begin(), loose.end(), 1) != loose.end())
     {
       shells = join();

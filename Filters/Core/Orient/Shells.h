@@ -48,5 +48,5 @@ struct Shells
  *
  * @param[in] edges those of surface.Facets
  */
-Shells FindShells(const FacetComplex& surface, const std::vector<FacetEdge>& edges);
+Shells FindShells(const FacetComplex& surface, const FacetEdges& edges);
 } // namespace insideout

@@ -6,7 +6,7 @@
 
 namespace insideout
 {
-SurfacePatches FindPatches(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+SurfacePatches FindPatches(const FacetComplex& surface, const FacetEdges& edges)
 {
   DisjointSets sets(surface.Facets.size());
   const auto opposed = [&](const FacetEdge& edge)

@@ -23,5 +23,5 @@ struct SurfacePatches
  *
  * @param[in] edges those of surface.Facets
  */
-SurfacePatches FindPatches(const FacetComplex& surface, const std::vector<FacetEdge>& edges);
+SurfacePatches FindPatches(const FacetComplex& surface, const FacetEdges& edges);
 } // namespace insideout

@@ -42,7 +42,7 @@ public:
       part.Facets.push_back(surface.Facets[f]);
       part.Multiplicity.push_back(1);
     }
-    const std::vector<FacetEdge> edges = SortedFacetEdges(part.Facets);
+    const FacetEdges edges = SortedFacetEdges(part.Facets);
     this->Turned = FindShells(part, edges).Turned;
     ForEachEdge(edges,
       [&](const FacetEdge* first, const FacetEdge* last)

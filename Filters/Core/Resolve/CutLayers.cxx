@@ -225,16 +225,14 @@ std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::v
 {
   std::vector<Slab> slabs;
   std::vector<Box> boxes;
-  std::vector<Id> bodyOf; // if empty, each facet is a body
   slabs.reserve(among.size());
   boxes.reserve(among.size());
-  bodyOf.reserve(among.size());
   for (const Id f : among)
   {
     slabs.emplace_back(surface, f);
     boxes.push_back(Around(surface, f, radius));
-    bodyOf.push_back(bodies.empty() ? f : bodies[f]);
   }
+  const std::vector<Id>& bodyOf = bodies.empty() ? among : bodies;
   const BoxTree tree(boxes);
   const std::vector<Id> bodyOfParts = tree.SetsOfParts(bodyOf);
   std::vector<std::array<Id, 2>> layers;

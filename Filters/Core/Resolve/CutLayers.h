@@ -10,7 +10,7 @@ namespace insideout
  * All pairs of some facets that overlap nearly in one plane, within `radius` of it, crossing or
  * not. Facets too narrow to define a plane are skipped.
  *
- * @param[in] bodies one per facet of the surface, or empty: pairs of one body are skipped
+ * @param[in] bodies one per facet among these, or empty: pairs of one body are skipped
  * @throws Error (Stopped)
  */
 std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::vector<Id>& among,

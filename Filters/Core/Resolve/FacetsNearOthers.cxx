@@ -17,6 +17,9 @@ namespace
 /** Limit of the mean number of cells per facet: a grid that exceeds it is made coarser. */
 constexpr std::size_t CellsPerFacet = 16;
 
+/** Facets in more cells than this are taken for near: visiting the cells would take longer. */
+constexpr std::size_t MostCells = 64;
+
 constexpr Id Several = -2; ///< sets in one cell
 
 constexpr double NanosecondsPerRange = 30; ///< for finding or visiting one range
@@ -140,6 +143,36 @@ void ForStretches(std::size_t facets, const Visit& visit)
     [&](std::size_t turn)
     { visit(turn * FacetsPerTurn, std::min((turn + 1) * FacetsPerTurn, facets)); });
 }
+
+std::vector<CellRange> CellsAround(
+  const std::vector<Point>& points, const FacetGrid& grid, double radius)
+{
+  std::vector<CellRange> around(points.size());
+  ParallelLoop(points.size(), NanosecondsPerRange,
+    [&](std::size_t p) { around[p] = grid.CellsOf(points[p], radius); });
+  return around;
+}
+
+CellRange CellsOf(const Triangle& facet, const std::vector<CellRange>& around)
+{
+  CellRange range = around[facet[0]];
+  range.Add(around[facet[1]]);
+  range.Add(around[facet[2]]);
+  return range;
+}
+
+std::vector<Id> MarkedFacets(const std::vector<char>& marks)
+{
+  std::vector<Id> marked;
+  for (std::size_t f = 0; f < marks.size(); ++f)
+  {
+    if (marks[f])
+    {
+      marked.push_back(static_cast<Id>(f));
+    }
+  }
+  return marked;
+}
 } // namespace
 
 std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
@@ -150,9 +183,7 @@ std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
     return {}; // a single set
   }
   FacetGrid grid(BoundingBox(points), facets.size());
-  std::vector<CellRange> around(points.size()); // each point
-  ParallelLoop(points.size(), NanosecondsPerRange,
-    [&](std::size_t p) { around[p] = grid.CellsOf(points[p], radius); });
+  const std::vector<CellRange> around = CellsAround(points, grid, radius);
   std::vector<CellRange> ranges(facets.size());
   std::atomic<std::size_t> size{ 0 };
   ForStretches(facets.size(),
@@ -161,9 +192,7 @@ std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
       std::size_t own = 0;
       for (std::size_t f = first; f < last; ++f)
       {
-        ranges[f] = around[facets[f][0]];
-        ranges[f].Add(around[facets[f][1]]);
-        ranges[f].Add(around[facets[f][2]]);
+        ranges[f] = CellsOf(facets[f], around);
         own += ranges[f].Size();
       }
       size += own;
@@ -196,14 +225,40 @@ std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
       grid.Visit(ranges[f], [&](std::size_t cell) { meets |= setIn[cell] == Several; });
       isNear[f] = meets && setOf[f] != None;
     });
-  std::vector<Id> near;
-  for (std::size_t f = 0; f < facets.size(); ++f)
+  return MarkedFacets(isNear);
+}
+
+std::vector<Id> FacetsNearNew(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, Id firstNew)
+{
+  const std::size_t old = static_cast<std::size_t>(firstNew);
+  std::vector<char> isNear(facets.size(), 1);
+  if (old == 0)
   {
-    if (isNear[f])
-    {
-      near.push_back(static_cast<Id>(f));
-    }
+    return MarkedFacets(isNear);
   }
-  return near;
+  if (old == facets.size())
+  {
+    return {};
+  }
+  const FacetGrid grid(BoundingBox(points), facets.size());
+  const std::vector<CellRange> around = CellsAround(points, grid, 0);
+  std::vector<char> isNearNew(grid.NumberOfCells(), 0);
+  for (std::size_t f = old; f < facets.size(); ++f)
+  {
+    grid.Visit(CellsOf(facets[f], around), [&](std::size_t cell) { isNearNew[cell] = 1; });
+  }
+  ParallelLoop(old, NanosecondsPerRange,
+    [&](std::size_t f)
+    {
+      const CellRange range = CellsOf(facets[f], around);
+      bool meets = range.Size() > MostCells;
+      if (!meets)
+      {
+        grid.Visit(range, [&](std::size_t cell) { meets |= isNearNew[cell] != 0; });
+      }
+      isNear[f] = meets;
+    });
+  return MarkedFacets(isNear);
 }
 } // namespace insideout

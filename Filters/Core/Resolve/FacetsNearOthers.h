@@ -17,4 +17,14 @@ namespace insideout
  */
 std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, const std::vector<Id>& setOf, double radius);
+
+/**
+ * The new facets and those that may be near one: all whose boxes meet a new facet's, and some more.
+ *
+ * @param[in] points finite
+ * @param[in] firstNew facets from here on are new
+ * @return ascending
+ */
+std::vector<Id> FacetsNearNew(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, Id firstNew);
 } // namespace insideout

@@ -9,7 +9,6 @@
 #include "Terrain/SurfaceParts.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace insideout
 {
@@ -85,16 +84,10 @@ private:
   const std::vector<Triangle>& Facets;
 };
 
-/** Search some facets for pairs of different sets. @param[in] setOf one per facet, of all */
+/** Search some facets for pairs of different sets. @param[in] sets one per facet of these */
 Pairs SearchBetweenSets(const FacetComparer& comparer, const std::vector<Id>& facets,
-  const std::vector<Id>& setOf, Monitor& monitor)
+  const std::vector<Id>& sets, Monitor& monitor)
 {
-  std::vector<Id> sets;
-  sets.reserve(facets.size());
-  for (const Id f : facets)
-  {
-    sets.push_back(setOf[f]);
-  }
   const BoxTree tree(comparer.BoxesOf(facets));
   const std::vector<Id> setsOfParts = tree.SetsOfParts(sets);
   const Id blocks = (tree.NumberOfParts() + BlockSize - 1) / BlockSize;
@@ -237,26 +230,25 @@ Pairs FindIntersections(
 }
 
 Pairs FindIntersectionsBetween(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, const std::vector<Id>& setOf, Monitor& monitor)
+  const std::vector<Triangle>& facets, const std::vector<Id>& setOf,
+  const std::vector<Id>& nearOthers, Monitor& monitor)
 {
   monitor.Check(Stages::FindingIntersections, 0);
-  return SearchBetweenSets(
-    FacetComparer(points, facets), FacetsNearOthers(points, facets, setOf, 0), setOf, monitor);
+  std::vector<Id> sets;
+  sets.reserve(nearOthers.size());
+  for (const Id f : nearOthers)
+  {
+    sets.push_back(setOf[f]);
+  }
+  return SearchBetweenSets(FacetComparer(points, facets), nearOthers, sets, monitor);
 }
 
 Pairs FindIntersections(const std::vector<Point>& points, const std::vector<Triangle>& facets,
   Id firstNew, Monitor& monitor)
 {
-  // The old facets are one set, and each new one is another.
-  std::vector<Id> setOf(facets.size(), 0);
-  std::iota(setOf.begin() + firstNew, setOf.end(), 1);
-  if (firstNew > 0)
-  {
-    return FindIntersectionsBetween(points, facets, setOf, monitor);
-  }
   monitor.Check(Stages::FindingIntersections, 0);
   const FacetComparer comparer(points, facets);
-  if (facets.size() >= ManyFacets)
+  if (firstNew == 0 && facets.size() >= ManyFacets)
   {
     const std::optional<SurfaceParts> parts =
       CutIntoParts(points, facets, monitor, { Stages::FindingIntersections, 0, 0 });
@@ -265,8 +257,13 @@ Pairs FindIntersections(const std::vector<Point>& points, const std::vector<Tria
       return PartSearcher(comparer, *parts).Search(monitor);
     }
   }
-  std::vector<Id> all(facets.size());
-  std::iota(all.begin(), all.end(), 0);
-  return SearchBetweenSets(comparer, all, setOf, monitor);
+  const std::vector<Id> near = FacetsNearNew(points, facets, firstNew);
+  std::vector<Id> sets; // the old facets are one, and each new one is another
+  sets.reserve(near.size());
+  for (const Id f : near)
+  {
+    sets.push_back(std::max(f + 1 - firstNew, 0));
+  }
+  return SearchBetweenSets(comparer, near, sets, monitor);
 }
 } // namespace insideout

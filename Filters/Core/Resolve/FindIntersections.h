@@ -20,11 +20,13 @@ std::vector<std::array<Id, 2>> FindIntersections(
   const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);
 
 /**
- * The same, but only the pairs of facets of different sets. Fast if few are near each other.
+ * The same, but only the pairs of facets of different sets.
  * @param[in] setOf one per facet, at least 0
+ * @param[in] nearOthers the facets that may meet one of another set (FacetsNearOthers)
  */
 std::vector<std::array<Id, 2>> FindIntersectionsBetween(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, const std::vector<Id>& setOf, Monitor& monitor);
+  const std::vector<Triangle>& facets, const std::vector<Id>& setOf,
+  const std::vector<Id>& nearOthers, Monitor& monitor);
 
 /** The same, but only the pairs (i, j) with j at least `firstNew`: those with a new facet. */
 std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& points,

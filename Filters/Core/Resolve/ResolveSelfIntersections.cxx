@@ -84,7 +84,7 @@ std::string WordsOf(const Tangle& tangle)
 class Resolver
 {
 public:
-  Resolver(const FacetComplex& surface, Monitor& monitor);
+  Resolver(FacetComplex surface, Monitor& monitor);
   Resolution Resolve(
     const KnownCrossings& known, const TouchingFacets& touching, const std::vector<Id>& mayTouch);
 
@@ -115,6 +115,7 @@ private:
   const double Size; ///< the largest coordinate
   int Round = 0;
 
+  FacetComplex Given; ///< its points and origins move to the next one
   WorkingSurface Now;
 
   PointIndex Positions{ 0 };  ///< all points near the cuts
@@ -123,10 +124,11 @@ private:
   PointIndex Moved{ 0 };      ///< points snapped in this round, by their former positions
 };
 
-Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
+Resolver::Resolver(FacetComplex surface, Monitor& monitor)
   : Watch(monitor)
   , Size(LargestCoordinate(surface.Points))
-  , Now(surface)
+  , Given(std::move(surface))
+  , Now(this->Given)
 {
 }
 
@@ -139,7 +141,7 @@ Resolution Resolver::Resolve(
   }
   else
   {
-    this->Now.FindCrossingsBetween(known.SetOf, known.Pairs, this->Watch);
+    this->Now.FindCrossingsBetween(known.SetOf, known.NearOthers, known.Pairs, this->Watch);
   }
   Resolution resolution;
   resolution.IntersectingPairs = this->Now.Crossings;
@@ -533,9 +535,9 @@ void Resolver::Collapse(const std::vector<Id>& candidates, double radius)
 }
 } // namespace
 
-Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor,
+Resolution ResolveSelfIntersections(FacetComplex surface, Monitor& monitor,
   const KnownCrossings& known, const TouchingFacets& touching, const std::vector<Id>& mayTouch)
 {
-  return Resolver(surface, monitor).Resolve(known, touching, mayTouch);
+  return Resolver(std::move(surface), monitor).Resolve(known, touching, mayTouch);
 }
 } // namespace insideout

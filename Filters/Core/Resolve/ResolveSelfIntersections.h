@@ -23,6 +23,9 @@ struct KnownCrossings
   /** One per facet, or empty where none are known: within each set all are. */
   std::vector<Id> SetOf;
 
+  /** The facets that may meet one of another set (FacetsNearOthers), ascending. */
+  std::vector<Id> NearOthers;
+
   /** Pairs (i, j) with i < j of facets that meet beyond shared corners and edges. */
   std::vector<std::array<Id, 2>> Pairs;
 };
@@ -46,7 +49,7 @@ struct TouchingFacets
  * rounding folds a triangle onto itself, its opposite pieces cancel. Facets that still cross after
  * the last round follow Surface.NumberOfConstraints.
  *
- * @param[in] surface a validated complex
+ * @param[in] surface a validated complex; move it here where it is needed no more
  * @param[in] known is not searched again
  * @param[in] touching facets are merged along each other's edges, as if they were in one plane.
  * Points of the surface stay; the first facet of a pair keeps its shape, and the second is bent to
@@ -55,7 +58,7 @@ struct TouchingFacets
  * cross; they take a search of their own
  * @throws Error TooLarge if facets coincide more often than a multiplicity can count, Stopped
  */
-Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor,
+Resolution ResolveSelfIntersections(FacetComplex surface, Monitor& monitor,
   const KnownCrossings& known = {}, const TouchingFacets& touching = {},
   const std::vector<Id>& mayTouch = {});
 } // namespace insideout

@@ -14,4 +14,10 @@ inline double SnappingRadius(double largestCoordinate)
 {
   return std::ldexp(largestCoordinate, -45);
 }
+
+/** The limit of the distance of a piece from its facet after all rounds. */
+inline double LargestShift(double largestCoordinate)
+{
+  return 1e-12 * largestCoordinate;
+}
 } // namespace insideout

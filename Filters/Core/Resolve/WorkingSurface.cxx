@@ -7,7 +7,6 @@
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
-#include "Resolve/AppendFacet.h"
 #include "Resolve/FindIntersections.h"
 #include "Resolve/Interpolation.h"
 
@@ -38,14 +37,6 @@ std::int16_t CheckedMultiplicity(const Meaning& meaning)
   }
   return static_cast<std::int16_t>(meaning.Multiplicity);
 }
-
-void Append(FacetComplex& surface, const Triangle& corners, const Meaning& meaning)
-{
-  surface.Facets.push_back(corners);
-  surface.Multiplicity.push_back(CheckedMultiplicity(meaning));
-  surface.Sources.insert(surface.Sources.end(), meaning.Sources.begin(), meaning.Sources.end());
-  surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
-}
 } // namespace
 
 void Add(Meaning& meaning, const Meaning& other, bool reversed)
@@ -68,10 +59,11 @@ void Add(Meaning& meaning, const Meaning& other, bool reversed)
   }
 }
 
-WorkingSurface::WorkingSurface(const FacetComplex& given)
-  : Points(given.Points)
+WorkingSurface::WorkingSurface(FacetComplex& given)
+  : Points(std::move(given.Points))
   , Facets(given.Facets.begin(), given.Facets.begin() + given.NumberOfConstraints)
   , Given(&given)
+  , GivenPoints(static_cast<Id>(this->Points.size()))
   , MeaningIds(given.NumberOfConstraints)
 {
   std::iota(this->MeaningIds.begin(), this->MeaningIds.end(), 0);
@@ -193,10 +185,11 @@ void WorkingSurface::FindCrossings(Monitor& monitor)
   this->FirstUnchecked = static_cast<Id>(this->Facets.size());
 }
 
-void WorkingSurface::FindCrossingsBetween(
-  const std::vector<Id>& setOf, const std::vector<std::array<Id, 2>>& known, Monitor& monitor)
+void WorkingSurface::FindCrossingsBetween(const std::vector<Id>& setOf,
+  const std::vector<Id>& nearOthers, const std::vector<std::array<Id, 2>>& known, Monitor& monitor)
 {
-  this->Crossings = FindIntersectionsBetween(this->Points, this->Facets, setOf, monitor);
+  this->Crossings =
+    FindIntersectionsBetween(this->Points, this->Facets, setOf, nearOthers, monitor);
   this->Crossings.insert(this->Crossings.end(), known.begin(), known.end());
   SortUniquely(this->Crossings);
   this->FirstUnchecked = static_cast<Id>(this->Facets.size());
@@ -245,76 +238,110 @@ void WorkingSurface::AddFacets(const std::vector<MeantFacet>& facets, std::vecto
 /** Drop new points that no facet uses any more. */
 void WorkingSurface::DropUnusedPoints()
 {
-  const std::size_t given = this->Given->Points.size();
-  std::vector<Id> places(this->Points.size(), None);
-  for (const Triangle& t : this->Facets)
+  const Id given = this->GivenPoints;
+  std::vector<Id> places(this->Roots.size(), None); // of new points
+  const auto forNewCorners = [&](const auto& visit)
   {
-    places[t[0]] = places[t[1]] = places[t[2]] = 0;
-  }
-  std::size_t count = given;
-  for (std::size_t p = 0; p < places.size(); ++p)
-  {
-    if (p < given)
+    for (Triangle& corners : this->Facets)
     {
-      places[p] = static_cast<Id>(p);
+      for (Id& p : corners)
+      {
+        if (p >= given)
+        {
+          visit(p);
+        }
+      }
     }
-    else if (places[p] != None)
-    {
-      this->Points[count] = this->Points[p];
-      this->Roots[count - given] = this->Roots[p - given];
-      places[p] = static_cast<Id>(count++);
-    }
-  }
-  this->Points.resize(count);
-  for (Triangle& t : this->Facets)
+  };
+  forNewCorners([&](Id p) { places[p - given] = 0; });
+  Id count = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    t = { places[t[0]], places[t[1]], places[t[2]] };
+    if (places[i] != None)
+    {
+      this->Points[given + count] = this->Points[given + i];
+      this->Roots[count] = this->Roots[i];
+      places[i] = given + count++;
+    }
   }
+  this->Points.resize(given + count);
+  this->Roots.resize(count);
+  forNewCorners([&](Id& p) { p = places[p - given]; });
 }
 
-/** Append a facet to the assembled complex. Most are unchanged: nothing is copied for them. */
-void WorkingSurface::AppendTo(FacetComplex& surface, Id facet) const
+/** Move facets behind all others, in their order. */
+void WorkingSurface::MoveToEnd(const std::vector<Id>& leftOut)
 {
-  const Id meaning = this->MeaningIds[facet];
-  if (meaning < this->Given->NumberOfFacets())
+  std::vector<char> isLeftOut(this->Facets.size(), 0);
+  std::vector<Triangle> facets;
+  std::vector<Id> meanings;
+  for (const Id f : leftOut)
   {
-    AppendFacet(surface, this->Facets[facet], *this->Given, meaning);
+    isLeftOut[f] = 1;
+    facets.push_back(this->Facets[f]);
+    meanings.push_back(this->MeaningIds[f]);
   }
-  else
+  for (std::size_t f = 0, count = 0; !leftOut.empty() && f < isLeftOut.size(); ++f)
   {
-    Append(surface, this->Facets[facet], this->Meanings[meaning - this->Given->NumberOfFacets()]);
+    if (!isLeftOut[f])
+    {
+      this->Facets[count] = this->Facets[f];
+      this->MeaningIds[count] = this->MeaningIds[f];
+      ++count;
+    }
   }
+  std::copy(facets.rbegin(), facets.rend(), this->Facets.rbegin());
+  std::copy(meanings.rbegin(), meanings.rend(), this->MeaningIds.rbegin());
+}
+
+/** Set the multiplicities and sources of facets. */
+void WorkingSurface::SetMeanings(FacetComplex& surface) const
+{
+  const FacetComplex& given = *this->Given;
+  const auto sourcesOf = [&](Id meaning) -> std::array<const FacetSource*, 2>
+  {
+    if (meaning < given.NumberOfFacets())
+    {
+      const FacetSource* const all = given.Sources.data();
+      return { all + given.SourceOffsets[meaning], all + given.SourceOffsets[meaning + 1] };
+    }
+    const std::vector<FacetSource>& own = this->Meanings[meaning - given.NumberOfFacets()].Sources;
+    return { own.data(), own.data() + own.size() };
+  };
+  surface.Multiplicity.reserve(surface.Facets.size());
+  surface.SourceOffsets.reserve(surface.Facets.size() + 1);
+  for (const Id meaning : this->MeaningIds)
+  {
+    const auto [first, last] = sourcesOf(meaning);
+    surface.SourceOffsets.push_back(surface.SourceOffsets.back() + static_cast<Id>(last - first));
+    surface.Multiplicity.push_back(meaning < given.NumberOfFacets()
+        ? given.Multiplicity[meaning]
+        : CheckedMultiplicity(this->Meanings[meaning - given.NumberOfFacets()]));
+  }
+  surface.Sources.resize(static_cast<std::size_t>(surface.SourceOffsets.back()));
+  const double nanosecondsPerFacet = 5;
+  ParallelLoop(this->MeaningIds.size(), nanosecondsPerFacet,
+    [&](std::size_t f)
+    {
+      const auto [first, last] = sourcesOf(this->MeaningIds[f]);
+      std::copy(first, last, surface.Sources.begin() + surface.SourceOffsets[f]);
+    });
 }
 
 /** The constraints, then the facets left out, then those that the given complex had left out. */
 FacetComplex WorkingSurface::Assemble(const std::vector<Id>& leftOut, Monitor& monitor)
 {
   this->DropUnusedPoints();
+  this->MoveToEnd(leftOut);
   FacetComplex surface;
-  const std::size_t facets = this->Facets.size();
-  surface.Facets.reserve(facets);
-  surface.Multiplicity.reserve(facets);
-  surface.SourceOffsets.reserve(facets + 1);
-  surface.Sources.reserve(std::max(facets, this->Given->Sources.size()));
-  auto next = leftOut.begin();
-  for (Id f = 0; f < static_cast<Id>(this->Facets.size()); ++f)
-  {
-    if (next != leftOut.end() && *next == f)
-    {
-      ++next;
-      continue;
-    }
-    this->AppendTo(surface, f);
-  }
-  surface.NumberOfConstraints = surface.NumberOfFacets();
-  for (const Id f : leftOut)
-  {
-    this->AppendTo(surface, f);
-  }
+  surface.NumberOfConstraints = static_cast<Id>(this->Facets.size() - leftOut.size());
   for (Id f = this->Given->NumberOfConstraints; f < this->Given->NumberOfFacets(); ++f)
   {
-    AppendFacet(surface, this->Given->Facets[f], *this->Given, f);
+    this->Facets.push_back(this->Given->Facets[f]);
+    this->MeaningIds.push_back(f);
   }
+  surface.Facets = std::move(this->Facets);
+  this->SetMeanings(surface);
   surface.Origins = this->OriginsOfPoints(monitor);
   surface.Points = std::move(this->Points);
   return surface;
@@ -323,10 +350,8 @@ FacetComplex WorkingSurface::Assemble(const std::vector<Id>& leftOut, Monitor& m
 /** The origins of points: given points keep theirs, new ones have that of the facet they lie on. */
 std::vector<PointOrigin> WorkingSurface::OriginsOfPoints(Monitor& monitor) const
 {
-  const Id given = static_cast<Id>(this->Given->Origins.size());
-  std::vector<PointOrigin> origins;
-  origins.reserve(this->Points.size());
-  origins = this->Given->Origins;
+  const Id given = this->GivenPoints;
+  std::vector<PointOrigin> origins = std::move(this->Given->Origins);
   origins.resize(this->Points.size());
   const double nanosecondsPerPoint = 1400;
   ParallelLoop(static_cast<Id>(this->Points.size()) - given, nanosecondsPerPoint, monitor,
@@ -337,10 +362,10 @@ std::vector<PointOrigin> WorkingSurface::OriginsOfPoints(Monitor& monitor) const
       PointOrigin& origin = origins[given + i];
       for (int k = 0; k < 3; ++k)
       {
-        origin.Points[k] = this->Given->Origins[corners[k]].Points[0];
+        origin.Points[k] = origins[corners[k]].Points[0];
       }
       origin.Weights =
-        BarycentricWeights(CornersOf(this->Given->Points, corners), this->Points[given + i]);
+        BarycentricWeights(CornersOf(this->Points, corners), this->Points[given + i]);
     });
   return origins;
 }

@@ -24,19 +24,20 @@ struct MeantFacet
 
 /**
  * The surface between two rounds of resolving: points and facets that change, and for each facet
- * its meaning in the given complex. Keeps a reference to that complex.
+ * its meaning in the given complex. Keeps a reference to that complex, and takes its points and, at
+ * the end, its origins.
  */
 class WorkingSurface
 {
 public:
   /** Begin with the constraints of the complex. */
-  explicit WorkingSurface(const FacetComplex& given);
+  explicit WorkingSurface(FacetComplex& given);
 
   std::vector<Point> Points;                ///< the given ones first; new ones are added
   std::vector<Triangle> Facets;             ///< changed only by the functions below
   std::vector<std::array<Id, 2>> Crossings; ///< pairs of facets that cross, as far as searched
 
-  Id NumberOfGivenPoints() const { return static_cast<Id>(this->Given->Points.size()); }
+  Id NumberOfGivenPoints() const { return this->GivenPoints; }
 
   /** A facet of the given complex that a facet is a piece of. */
   Id RootOf(Id facet) const;
@@ -61,9 +62,10 @@ public:
   /**
    * The same for all facets, if the crossings within sets are known.
    * @param[in] setOf one per facet
+   * @param[in] nearOthers the facets that may meet one of another set
    */
-  void FindCrossingsBetween(
-    const std::vector<Id>& setOf, const std::vector<std::array<Id, 2>>& known, Monitor& monitor);
+  void FindCrossingsBetween(const std::vector<Id>& setOf, const std::vector<Id>& nearOthers,
+    const std::vector<std::array<Id, 2>>& known, Monitor& monitor);
 
   /** The facets that were not searched for crossings yet. */
   std::vector<Id> UncheckedFacets() const;
@@ -76,7 +78,7 @@ public:
   /**
    * The complex: the constraints, then facets left out, then facets that were not constraints in
    * the given one. Unused new points are dropped; the other new points have the origins of the
-   * facets that they lie on.
+   * facets that they lie on. The last function to be called.
    * @throws Error TooLarge, Stopped
    */
   FacetComplex Assemble(const std::vector<Id>& leftOut, Monitor& monitor);
@@ -85,10 +87,12 @@ private:
   void AddFacets(const std::vector<MeantFacet>& facets, std::vector<char>& isRemoved);
   Id AddMeaning(Meaning meaning);
   void DropUnusedPoints();
-  void AppendTo(FacetComplex& surface, Id facet) const;
+  void MoveToEnd(const std::vector<Id>& leftOut);
+  void SetMeanings(FacetComplex& surface) const;
   std::vector<PointOrigin> OriginsOfPoints(Monitor& monitor) const;
 
-  const FacetComplex* Given;
+  FacetComplex* Given;
+  Id GivenPoints;
   std::vector<Id> MeaningIds; ///< per facet: a given facet, or after those the meaning of a piece
   std::vector<Meaning> Meanings; ///< of pieces, including removed ones
   std::vector<Id> Roots;         ///< of new points: the given facet on which they lie

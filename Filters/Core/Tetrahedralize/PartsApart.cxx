@@ -47,7 +47,7 @@ Groups PiecesOf(const FacetComplex& surface)
 std::vector<char> FindOpen(const FacetComplex& surface, const Groups& pieces)
 {
   std::vector<char> isOpen(pieces.Count, 0);
-  const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
+  const FacetEdges edges = SortedFacetEdges(surface.Facets);
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
     {

@@ -39,7 +39,7 @@ double StepAlong(int axis, const std::vector<Point>& points)
   return isOdd ? step : 0;
 }
 
-double MedianLength(const std::vector<Point>& points, const std::vector<FacetEdge>& edges)
+double MedianLength(const std::vector<Point>& points, const FacetEdges& edges)
 {
   std::vector<double> lengths(edges.size());
   std::transform(edges.begin(), edges.end(), lengths.begin(),
@@ -50,8 +50,7 @@ double MedianLength(const std::vector<Point>& points, const std::vector<FacetEdg
 }
 } // namespace
 
-CoarseCoordinates FindCoarseCoordinates(
-  const std::vector<Point>& points, const std::vector<FacetEdge>& edges)
+CoarseCoordinates FindCoarseCoordinates(const std::vector<Point>& points, const FacetEdges& edges)
 {
   CoarseCoordinates found;
   const bool areFloats = std::all_of(points.begin(), points.end(),

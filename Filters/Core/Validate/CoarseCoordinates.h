@@ -30,8 +30,7 @@ struct CoarseCoordinates
  * @param[in] points finite
  * @param[in] edges of facets with these points
  */
-CoarseCoordinates FindCoarseCoordinates(
-  const std::vector<Point>& points, const std::vector<FacetEdge>& edges);
+CoarseCoordinates FindCoarseCoordinates(const std::vector<Point>& points, const FacetEdges& edges);
 
 /** A message with the step, the edge, and a remedy. */
 std::string WarningAbout(const CoarseCoordinates& coordinates);

@@ -43,8 +43,8 @@ struct SetAtEdge
 class CopyChoice
 {
 public:
-  CopyChoice(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
-    const std::vector<FacetCopies>& given)
+  CopyChoice(
+    const FacetComplex& surface, const FacetEdges& edges, const std::vector<FacetCopies>& given)
     : Set(given.size(), None)
   {
     this->FindSets(edges, given);
@@ -108,7 +108,7 @@ public:
   std::vector<FacetCopies> Given; ///< one per set
 
 private:
-  void FindSets(const std::vector<FacetEdge>& edges, const std::vector<FacetCopies>& given)
+  void FindSets(const FacetEdges& edges, const std::vector<FacetCopies>& given)
   {
     DisjointSets sets(given.size());
     ForEachEdge(edges,
@@ -142,8 +142,8 @@ private:
   }
 
   /** The edges of sets, and the signed count along them of all facets, each counted once. */
-  void FindEdges(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
-    const std::vector<FacetCopies>& given)
+  void FindEdges(
+    const FacetComplex& surface, const FacetEdges& edges, const std::vector<FacetCopies>& given)
   {
     const std::vector<Point> points =
       ScaledPoints(surface.Points, -LargestExponent(surface.Points));
@@ -235,8 +235,8 @@ private:
 };
 } // namespace
 
-std::vector<FacetCopies> CountCopies(const FacetComplex& surface,
-  const std::vector<FacetEdge>& edges, const std::vector<FacetCopies>& given)
+std::vector<FacetCopies> CountCopies(
+  const FacetComplex& surface, const FacetEdges& edges, const std::vector<FacetCopies>& given)
 {
   std::vector<FacetCopies> counts;
   counts.reserve(given.size());

@@ -38,6 +38,6 @@ struct FacetCopies
  * @param[in] given one per facet
  * @return one per facet, at most the given copies; at least one
  */
-std::vector<FacetCopies> CountCopies(const FacetComplex& surface,
-  const std::vector<FacetEdge>& edges, const std::vector<FacetCopies>& given);
+std::vector<FacetCopies> CountCopies(
+  const FacetComplex& surface, const FacetEdges& edges, const std::vector<FacetCopies>& given);
 } // namespace insideout

@@ -10,6 +10,7 @@
 #include "Common/Vectors.h"
 #include "Validate/CountCopies.h"
 #include "Validate/FacetEdges.h"
+#include "Validate/FacetSources.h"
 #include "Validate/GivenSurfaces.h"
 #include "Validate/MergePoints.h"
 #include "Validate/TwoSidedComponents.h"
@@ -151,26 +152,7 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, Coun
     }
     places.push_back({ places[first[t]].Triangle, sorted[t].Turned != sorted[first[t]].Turned });
   }
-
-  Buckets<FacetSource> sources(surface.Facets.size(),
-    [&](auto visit)
-    {
-      for (std::size_t t = 0; t < places.size(); ++t)
-      {
-        if (places[t].Triangle != None)
-        {
-          visit(static_cast<std::size_t>(places[t].Triangle),
-            FacetSource{ static_cast<Id>(t), places[t].Reversed });
-        }
-      }
-    });
-  surface.SourceOffsets.reserve(surface.Facets.size() + 1);
-  for (std::size_t f = 0; f < surface.Facets.size(); ++f)
-  {
-    surface.SourceOffsets.push_back(
-      surface.SourceOffsets.back() + static_cast<Id>(sources[f].Size()));
-  }
-  surface.Sources = std::move(sources).TakeAll();
+  SetFacetSources(places, surface);
   surface.NumberOfConstraints = surface.NumberOfFacets();
 }
 
@@ -303,7 +285,7 @@ TwoSidedComponents KeepTwoSidedSolidsAmong(const std::vector<Id>& facets, FacetC
     part.Multiplicity.push_back(surface.Multiplicity[f]);
     part.Opposed.push_back(surface.Opposed[f]);
   }
-  const std::vector<FacetEdge> edges = SortedFacetEdges(part.Facets);
+  const FacetEdges edges = SortedFacetEdges(part.Facets);
   const TwoSidedComponents twoSided =
     KeepTwoSidedSolids(part, edges, ComponentsOfFacets(part.NumberOfFacets(), edges));
   for (std::size_t i = 0; i < facets.size(); ++i)
@@ -314,8 +296,7 @@ TwoSidedComponents KeepTwoSidedSolidsAmong(const std::vector<Id>& facets, FacetC
   return twoSided;
 }
 
-void CountEdges(
-  const std::vector<Point>& points, const std::vector<FacetEdge>& edges, SurfaceCounts& counts)
+void CountEdges(const std::vector<Point>& points, const FacetEdges& edges, SurfaceCounts& counts)
 {
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
@@ -381,7 +362,7 @@ CountedChain CountFacets(
   monitor.Check(Stages::Validating, 0.7);
   chain.Edges = SortedFacetEdges(chain.Surface.Facets);
   CountSources(soup, parameters.CountDuplicates, chain);
-  const std::vector<FacetEdge>& edges = chain.Edges;
+  const FacetEdges& edges = chain.Edges;
   const FacetComponents components = ComponentsOfFacets(chain.Counts.Facets, edges);
   chain.Counts.Components = components.Count;
   CountEdges(chain.Surface.Points, edges, chain.Counts);

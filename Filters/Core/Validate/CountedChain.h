@@ -47,8 +47,8 @@ struct SurfaceCounts
 
 struct CountedChain
 {
-  FacetComplex Surface;         ///< only points that a facet uses, in the input's order
-  std::vector<FacetEdge> Edges; ///< those of Surface.Facets
+  FacetComplex Surface; ///< only points that a facet uses, in the input's order
+  FacetEdges Edges;     ///< those of Surface.Facets
   SurfaceCounts Counts;
   CoarseCoordinates Coordinates;
   std::vector<std::string> Warnings;

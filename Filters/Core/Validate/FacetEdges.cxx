@@ -6,7 +6,8 @@
 #include "Common/ParallelLoop.h"
 
 #include <algorithm>
-#include <tuple>
+#include <cstdint>
+#include <functional>
 
 namespace insideout
 {
@@ -14,9 +15,23 @@ namespace
 {
 constexpr double NanosecondsPerFacet = 20; ///< for entering its edges
 constexpr double NanosecondsPerPoint = 40; ///< for sorting the edges of which it is the lower one
+
+/** An edge with a given lower point as a number, ordered by its higher point, then by its facet. A
+ * facet has an edge twice if it has a point twice. */
+std::uint64_t KeyOf(Id high, Id facet, bool runsUpward)
+{
+  return static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint64_t>(facet) << 1 |
+    static_cast<std::uint64_t>(runsUpward);
+}
+
+FacetEdge EdgeOf(Id low, std::uint64_t key)
+{
+  return { low, static_cast<Id>(key >> 32), static_cast<Id>(static_cast<std::uint32_t>(key) >> 1),
+    (key & 1) != 0 ? 1 : -1 };
+}
 } // namespace
 
-std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
+FacetEdges SortedFacetEdges(const std::vector<Triangle>& facets)
 {
   Id points = 0;
   for (const Triangle& facet : facets)
@@ -24,7 +39,7 @@ std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
     points = std::max({ points, facet[0] + 1, facet[1] + 1, facet[2] + 1 });
   }
   // Bucket sort by lower points; buckets are small.
-  Buckets<FacetEdge> byLow = Buckets<FacetEdge>::Unordered(static_cast<std::size_t>(points),
+  Buckets<std::uint64_t> byLow = Buckets<std::uint64_t>::Unordered(static_cast<std::size_t>(points),
     facets.size(), NanosecondsPerFacet,
     [&](std::size_t f, const auto& visit)
     {
@@ -32,25 +47,25 @@ std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
       {
         const Id from = facets[f][k];
         const Id to = facets[f][(k + 1) % 3];
-        const Id low = std::min(from, to);
-        visit(static_cast<std::size_t>(low),
-          FacetEdge{ low, std::max(from, to), static_cast<Id>(f), from < to ? 1 : -1 });
+        visit(static_cast<std::size_t>(std::min(from, to)),
+          KeyOf(std::max(from, to), static_cast<Id>(f), from < to));
       }
     });
+  FacetEdges edges(3 * facets.size());
   ParallelLoop(byLow.Size(), NanosecondsPerPoint,
     [&](std::size_t low)
     {
-      byLow.Sort(low,
-        [](const FacetEdge& a, const FacetEdge& b)
-        {
-          // A facet has an edge twice if it has a point twice.
-          return std::tie(a.High, a.Facet, a.Direction) < std::tie(b.High, b.Facet, b.Direction);
-        });
+      byLow.Sort(low, std::less<>());
+      FacetEdge* edge = edges.data() + (byLow[low].First - byLow[0].First);
+      for (const std::uint64_t key : byLow[low])
+      {
+        *edge++ = EdgeOf(static_cast<Id>(low), key);
+      }
     });
-  return std::move(byLow).TakeAll();
+  return edges;
 }
 
-FacetComponents ComponentsOfFacets(Id numberOfFacets, const std::vector<FacetEdge>& edges)
+FacetComponents ComponentsOfFacets(Id numberOfFacets, const FacetEdges& edges)
 {
   DisjointSets sets(numberOfFacets);
   ForEachEdge(edges,

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/RawVector.h"
 #include "Common/Types.h"
-
-#include <vector>
 
 namespace insideout
 {
@@ -18,12 +17,14 @@ struct FacetEdge
   int Direction;
 };
 
+using FacetEdges = RawVector<FacetEdge>;
+
 /** The three edges of every facet, sorted by edge, then by facet. */
-std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets);
+FacetEdges SortedFacetEdges(const std::vector<Triangle>& facets);
 
 /** Call visit(first, last) with the range of FacetEdges of each edge, in order. */
 template <typename Visitor>
-void ForEachEdge(const std::vector<FacetEdge>& edges, Visitor visit)
+void ForEachEdge(const FacetEdges& edges, Visitor visit)
 {
   const FacetEdge* const end = edges.data() + edges.size();
   for (const FacetEdge* first = edges.data(); first != end;)
@@ -45,5 +46,5 @@ struct FacetComponents
   Id Count = 0;
 };
 
-FacetComponents ComponentsOfFacets(Id numberOfFacets, const std::vector<FacetEdge>& edges);
+FacetComponents ComponentsOfFacets(Id numberOfFacets, const FacetEdges& edges);
 } // namespace insideout

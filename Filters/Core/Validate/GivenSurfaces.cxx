@@ -17,7 +17,7 @@ struct RunAlong
 };
 
 std::vector<std::array<RunAlong, 3>> EdgesOfFacets(
-  Id facets, const std::vector<FacetEdge>& edges, Id& numberOfEdges)
+  Id facets, const FacetEdges& edges, Id& numberOfEdges)
 {
   std::vector<std::array<RunAlong, 3>> found(facets);
   std::vector<char> size(facets, 0);
@@ -38,7 +38,7 @@ std::vector<std::array<RunAlong, 3>> EdgesOfFacets(
 class ClosedRuns
 {
 public:
-  ClosedRuns(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+  ClosedRuns(const FacetComplex& surface, const FacetEdges& edges)
     : Edges(EdgesOfFacets(surface.NumberOfFacets(), edges, this->NumberOfEdges))
     , SumOfEdge(this->NumberOfEdges, 0)
     , OfFacet(surface.Facets.size())
@@ -88,8 +88,7 @@ private:
 };
 
 /** Replace surfaces that are not closed by None. */
-void KeepClosed(
-  const FacetComplex& surface, const std::vector<FacetEdge>& edges, std::vector<Id>& given)
+void KeepClosed(const FacetComplex& surface, const FacetEdges& edges, std::vector<Id>& given)
 {
   std::vector<char> isOpen(
     given.empty() ? 0 : static_cast<std::size_t>(*std::max_element(given.begin(), given.end())) + 1,
@@ -145,7 +144,7 @@ std::vector<Id> SurfacesByPoints(const TriangleSoup& soup, const FacetComplex& s
 
 /** Find the closed runs of triangles; triangles after the last one have None. */
 std::vector<Id> SurfacesInOrder(
-  const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+  const TriangleSoup& soup, const FacetComplex& surface, const FacetEdges& edges)
 {
   struct Place
   {
@@ -178,7 +177,7 @@ std::vector<Id> SurfacesInOrder(
 } // namespace
 
 std::vector<Id> FindGivenSurfaces(
-  const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+  const TriangleSoup& soup, const FacetComplex& surface, const FacetEdges& edges)
 {
   std::vector<Id> given = SurfacesInOrder(soup, surface, edges);
   const auto isOfFirst = [&](Id one) { return one == given.front(); };

@@ -18,5 +18,5 @@ namespace insideout
  * no surface
  */
 std::vector<Id> FindGivenSurfaces(
-  const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges);
+  const TriangleSoup& soup, const FacetComplex& surface, const FacetEdges& edges);
 } // namespace insideout

@@ -19,7 +19,7 @@ struct OrientedPatches
   Id Count = 0;
 };
 
-OrientedPatches OrientAlongEdges(Id numberOfFacets, const std::vector<FacetEdge>& edges)
+OrientedPatches OrientAlongEdges(Id numberOfFacets, const FacetEdges& edges)
 {
   struct Neighbor
   {
@@ -72,7 +72,7 @@ OrientedPatches OrientAlongEdges(Id numberOfFacets, const std::vector<FacetEdge>
 }
 
 /** For each patch whether it runs along every one of its edges equally often in both directions. */
-std::vector<char> ClosedPatches(const OrientedPatches& patches, const std::vector<FacetEdge>& edges)
+std::vector<char> ClosedPatches(const OrientedPatches& patches, const FacetEdges& edges)
 {
   std::vector<char> closed(patches.Count, 1);
   std::vector<int> sum(patches.Count, 0);
@@ -133,7 +133,7 @@ int SignOfVolume(const std::vector<Point>& points, const std::vector<Triangle>& 
 } // namespace
 
 TwoSidedComponents KeepTwoSidedSolids(
-  FacetComplex& surface, const std::vector<FacetEdge>& edges, const FacetComponents& components)
+  FacetComplex& surface, const FacetEdges& edges, const FacetComponents& components)
 {
   const Id numberOfFacets = surface.NumberOfFacets();
   std::vector<char> twoSided(components.Count, 1);

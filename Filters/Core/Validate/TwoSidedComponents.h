@@ -22,5 +22,5 @@ struct TwoSidedComponents
  * @param[in] edges,components of surface.Facets
  */
 TwoSidedComponents KeepTwoSidedSolids(
-  FacetComplex& surface, const std::vector<FacetEdge>& edges, const FacetComponents& components);
+  FacetComplex& surface, const FacetEdges& edges, const FacetComponents& components);
 } // namespace insideout

@@ -142,7 +142,7 @@ TEST(ResolveBodies, KnowWhichAreClosedAtAnyNumberOfEdges)
     add({ 0, 1, a + 1 }, 3);
     add({ 1, 0, a + 1 }, 3);
   }
-  const std::vector<FacetEdge> edges = SortedFacetEdges(bodies.Surface.Facets);
+  const FacetEdges edges = SortedFacetEdges(bodies.Surface.Facets);
   const WholeTeams teams;
   for (const int threads : { 1, 3 })
   {

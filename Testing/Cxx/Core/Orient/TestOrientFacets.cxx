@@ -414,7 +414,7 @@ TEST(OrientFacets, IsTheSameWhereAbsentCrossingsAreKnown)
     for (const TriangleSoup& soup : { given, Reversed(given) })
     {
       const FacetComplex surface = Chain(soup);
-      const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
+      const FacetEdges edges = SortedFacetEdges(surface.Facets);
       for (const Orientation orientation : { Orientation::Automatic, Orientation::AsGiven,
              Orientation::Reverse, Orientation::Outward })
       {
@@ -450,7 +450,7 @@ public:
 TEST(OrientFacets, SamplesNothingOfAPlainShell)
 {
   const FacetComplex surface = Chain(Cube(0, 1));
-  const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
+  const FacetEdges edges = SortedFacetEdges(surface.Facets);
   CountReports sampling;
   FindFacetTurns(surface, edges, Orientation::Automatic, sampling);
   CountReports plain;

@@ -20,7 +20,8 @@ Volumes Sample(const TriangleSoup& soup, Id lines, int count = 1)
   Monitor monitor;
   const FacetComplex surface = CountFacets(soup, {}, monitor).Surface;
   const Shells shells = FindShells(surface, SortedFacetEdges(surface.Facets));
-  std::vector<ShellChain> chains = CloseShells(surface, shells, surface.Points);
+  std::vector<ShellChain> chains =
+    CloseShells(surface, SortedFacetEdges(surface.Facets), shells, surface.Points);
   for (ShellChain& chain : chains)
   {
     for (CountedTriangle& triangle : chain.Triangles)

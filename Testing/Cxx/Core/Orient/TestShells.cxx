@@ -192,7 +192,8 @@ TEST(Shells, ThatCountVeryOftenAreOne)
     const Shells shells = ShellsOf(surface);
     EXPECT_EQ(shells.Count, count > 64 ? 1 : count);
     int sum = 0;
-    for (const ShellChain& chain : CloseShells(surface, shells, surface.Points))
+    for (const ShellChain& chain :
+      CloseShells(surface, SortedFacetEdges(surface.Facets), shells, surface.Points))
     {
       EXPECT_EQ(chain.Kind, ShellKind::Closed);
       sum += chain.Triangles.front().Count;
@@ -218,7 +219,8 @@ TEST(ShellChains, TellClosedFromHoledFromSheet)
   const auto kindOf = [](const TriangleSoup& soup)
   {
     const FacetComplex surface = Chain(soup);
-    const std::vector<ShellChain> chains = CloseShells(surface, ShellsOf(surface), surface.Points);
+    const std::vector<ShellChain> chains =
+      CloseShells(surface, SortedFacetEdges(surface.Facets), ShellsOf(surface), surface.Points);
     EXPECT_EQ(chains.size(), 1u);
     EXPECT_TRUE(
       CountedBoundary(chains[0].Triangles, static_cast<Id>(surface.Points.size())).empty());
@@ -239,7 +241,8 @@ TEST(ShellChains, HaveTheVolumeAndAreaOfTheirShell)
   TriangleSoup soup = Join(Box({ 1, 1, 1 }, { 3, 3, 3 }), Reversed(Box({ 5, 5, 5 }, { 6, 6, 6 })));
   soup.Triangles.pop_back();
   const FacetComplex surface = Chain(soup);
-  const std::vector<ShellChain> chains = CloseShells(surface, ShellsOf(surface), surface.Points);
+  const std::vector<ShellChain> chains =
+    CloseShells(surface, SortedFacetEdges(surface.Facets), ShellsOf(surface), surface.Points);
   ASSERT_EQ(chains.size(), 2u);
   EXPECT_DOUBLE_EQ(chains[0].Volume, 8);
   EXPECT_DOUBLE_EQ(chains[0].Area, 24);

@@ -95,4 +95,50 @@ TEST(FacetsNearOthers, AreFewWhereBodiesMeetInFewPlaces)
   EXPECT_EQ(FacetsNearOthers(both.Points, both.Triangles, alone, 0), std::vector<Id>());
   EXPECT_EQ(FacetsNearOthers({}, {}, {}, 0), std::vector<Id>());
 }
+
+TEST(FacetsNearNew, HoldAllThatBruteForceFinds)
+{
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 100; ++trial)
+  {
+    const TriangleSoup soup = AllSizes(random, 1 + trial * 5);
+    const Id count = static_cast<Id>(soup.Triangles.size());
+    const Id firstNew = std::uniform_int_distribution<Id>(0, count)(random);
+    const std::vector<Id> near = FacetsNearNew(soup.Points, soup.Triangles, firstNew);
+    EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
+    const auto box = [&](Id f) { return BoundingBox(soup.Points, soup.Triangles[f]); };
+    for (Id f = 0; f < count && firstNew < count; ++f)
+    {
+      bool isNear = f >= firstNew;
+      for (Id g = firstNew; g < count && !isNear; ++g)
+      {
+        isNear = box(f).Meets(box(g));
+      }
+      EXPECT_TRUE(!isNear || std::binary_search(near.begin(), near.end(), f));
+    }
+  }
+}
+
+TEST(FacetsNearNew, AreFewWhereFewFacetsAreNew)
+{
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> place(0, 1);
+  TriangleSoup soup;
+  for (Id f = 0; f < 2000; ++f)
+  {
+    const Point p = { place(random), place(random), place(random) };
+    for (int k = 0; k < 3; ++k)
+    {
+      soup.Points.push_back(p);
+      soup.Points.back()[k] += 0.01;
+    }
+    soup.Triangles.push_back({ 3 * f, 3 * f + 1, 3 * f + 2 });
+  }
+  const std::vector<Id> near = FacetsNearNew(soup.Points, soup.Triangles, 1990);
+  EXPECT_GE(near.size(), 10u);
+  EXPECT_LT(near.size(), 200u);
+  EXPECT_EQ(FacetsNearNew(soup.Points, soup.Triangles, 2000), std::vector<Id>());
+  EXPECT_EQ(FacetsNearNew(soup.Points, soup.Triangles, 0).size(), 2000u);
+  EXPECT_EQ(FacetsNearNew({}, {}, 0), std::vector<Id>());
+}
 } // namespace

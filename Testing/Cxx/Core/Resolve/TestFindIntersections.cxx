@@ -2,6 +2,7 @@
 #include "Resolve/FindIntersections.h"
 
 #include "Common/Team.h"
+#include "Resolve/FacetsNearOthers.h"
 #include "Support/ExactReference.h"
 #include "Support/TestMeshes.h"
 
@@ -204,7 +205,9 @@ TEST(FindIntersections, TakesOnlyPairsOfDifferentSetsWhenAsked)
       [&](const std::array<Id, 2>& pair) { return setOf[pair[0]] != setOf[pair[1]]; });
     EXPECT_EQ(expected.empty(), seed < 4);
     Monitor monitor;
-    EXPECT_EQ(FindIntersectionsBetween(soup.Points, soup.Triangles, setOf, monitor), expected);
+    const std::vector<Id> near = FacetsNearOthers(soup.Points, soup.Triangles, setOf, 0);
+    EXPECT_EQ(
+      FindIntersectionsBetween(soup.Points, soup.Triangles, setOf, near, monitor), expected);
   }
 }
 

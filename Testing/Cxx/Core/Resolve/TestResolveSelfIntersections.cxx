@@ -2,6 +2,7 @@
 #include "Resolve/ResolveSelfIntersections.h"
 
 #include "Common/Team.h"
+#include "Resolve/FacetsNearOthers.h"
 #include "Support/Corpus.h"
 #include "Support/ExactReference.h"
 #include "Support/TestMeshes.h"
@@ -309,6 +310,7 @@ TEST(ResolveSelfIntersections, IsTheSameWhereCrossingsAreKnown)
     {
       known.SetOf.push_back(f % static_cast<Id>(1 + seed / 4));
     }
+    known.NearOthers = FacetsNearOthers(surface.Points, surface.Facets, known.SetOf, 0);
     for (const auto& pair : expected.IntersectingPairs)
     {
       if (known.SetOf[pair[0]] == known.SetOf[pair[1]])
