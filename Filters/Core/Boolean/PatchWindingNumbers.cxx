@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/PatchWindingNumbers.h"
 
+#include "Common/ParallelLoop.h"
+#include "Common/RawVector.h"
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 #include "WindingNumber/ClosedChainTree.h"
@@ -38,17 +40,18 @@ PatchPlaces::PatchPlaces(const FacetComplex& surface, const SurfacePatches& patc
   : Points(ScaledPoints(surface.Points, -LargestExponent(surface.Points)))
   , Largest(static_cast<std::size_t>(patches.Count), None)
 {
-  std::vector<double> areas(this->Largest.size(), 0);
+  const double nanosecondsPerFacet = 15;
+  RawVector<double> areas(surface.Facets.size());
+  ParallelLoop(areas.size(), nanosecondsPerFacet,
+    [&](std::size_t f)
+    {
+      const std::array<Point, 3> corners = CornersOf(this->Points, surface.Facets[f]);
+      areas[f] = Length(NormalOf(corners[0], corners[1], corners[2]));
+    });
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
-    const std::array<Point, 3> corners = CornersOf(this->Points, surface.Facets[f]);
-    const double area = Length(NormalOf(corners[0], corners[1], corners[2]));
-    const Id patch = patches.Patch[f];
-    if (this->Largest[patch] == None || area > areas[patch])
-    {
-      this->Largest[patch] = f;
-      areas[patch] = area;
-    }
+    Id& largest = this->Largest[patches.Patch[f]];
+    largest = largest == None || areas[f] > areas[largest] ? f : largest;
   }
   // The barycenter of a cell with two equal corners lies in the facet, exactly.
   for (const Id f : this->Largest)

@@ -7,6 +7,7 @@
 #include "Common/DisjointSets.h"
 #include "Common/JobsAtOnce.h"
 #include "Common/ScaledPoints.h"
+#include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Common/Team.h"
@@ -32,7 +33,7 @@ namespace
 /** @throws Error TooLarge */
 void SetMultiplicity(const std::vector<int>& multiplicity, FacetComplex& surface)
 {
-  surface.Multiplicity.reserve(multiplicity.size());
+  surface.Multiplicity.clear();
   for (const int count : multiplicity)
   {
     if (std::abs(count) > std::numeric_limits<std::int16_t>::max())
@@ -112,11 +113,19 @@ private:
   bool Thickens() const { return this->Parameters.Thicken.Width != 0; }
   void ResolveAlone();
   void ResolveTogether();
-  std::vector<Id> TakePoints(FacetComplex& together);
+  struct JoinedPoint
+  {
+    Id Number;     ///< of the joined points
+    bool IsShared; ///< several points are this one
+  };
+  FacetComplex ChainsInSequence();
+  void FindNearOthers(const FacetComplex& all);
+  std::vector<Id> LowestEqualPoints(const FacetComplex& all) const;
+  std::vector<JoinedPoint> JoinPoints(const std::vector<Id>& lowest, FacetComplex& all);
+  std::vector<FacetSource> JoinFacets(const std::vector<Id>& lowest, FacetComplex& all);
   FacetComplex Together();
   void TakeOwnCrossings(const std::vector<FacetSource>& places);
   void TakeTouching(const std::vector<FacetSource>& places);
-  void FindNearOthers(const FacetComplex& together);
   std::vector<Id> TakeResolved(FacetComplex resolved);
   void FindGrids();
   void Touch();
@@ -382,124 +391,202 @@ void BodyResolver::OrientBodies()
   }
 }
 
-/**
- * Move the points of all chains to the complex, each place once.
- * @return per point of the chains, numbered consecutively, its point of the complex
- */
-std::vector<Id> BodyResolver::TakePoints(FacetComplex& together)
+/** The facets of all chains as one complex, with equal points of different bodies. */
+FacetComplex BodyResolver::ChainsInSequence()
 {
-  std::size_t count = 0;
+  FacetComplex all;
+  std::size_t points = 0;
+  std::size_t facets = 0;
   for (const FacetComplex& chain : this->Chains)
   {
-    count += chain.Points.size();
+    points += chain.Points.size();
+    facets += chain.Facets.size();
   }
-  together.Points.reserve(count + count / PointsPerSparePoint);
-  together.Origins.reserve(count + count / PointsPerSparePoint);
-  for (FacetComplex& chain : this->Chains)
+  all.Points.reserve(points + points / PointsPerSparePoint);
+  all.Origins.reserve(points + points / PointsPerSparePoint);
+  all.Facets.reserve(facets);
+  all.Multiplicity.reserve(facets);
+  this->Known.SetOf.reserve(facets);
+  const auto append = [](const auto& some, auto& to)
+  { to.insert(to.end(), some.begin(), some.end()); };
+  for (std::size_t b = 0; b < this->Chains.size(); ++b)
   {
-    together.Points.insert(together.Points.end(), chain.Points.begin(), chain.Points.end());
-    together.Origins.insert(together.Origins.end(), chain.Origins.begin(), chain.Origins.end());
+    FacetComplex& chain = this->Chains[b];
+    this->FirstFacet.push_back(all.NumberOfFacets());
+    const Id first = static_cast<Id>(all.Points.size());
+    for (const Triangle& corners : chain.Facets)
+    {
+      all.Facets.push_back({ corners[0] + first, corners[1] + first, corners[2] + first });
+    }
+    append(chain.Points, all.Points);
+    append(chain.Origins, all.Origins);
+    append(chain.Multiplicity, all.Multiplicity);
+    this->Known.SetOf.insert(this->Known.SetOf.end(), chain.Facets.size(), static_cast<Id>(b));
     chain.Points = {};
     chain.Origins = {};
+    chain.Facets = {};
   }
-  std::vector<Id> index = MergePoints(together.Points, 0);
-  for (std::size_t p = 0; p < count; ++p)
+  return all;
+}
+
+/** Find the facets that are near other bodies, or may be once all are cut. */
+void BodyResolver::FindNearOthers(const FacetComplex& all)
+{
+  const double size = LargestCoordinate(all.Points);
+  this->Known.NearOthers = FacetsNearOthers(all.Points, all.Facets, this->Known.SetOf,
+    SnappingRadius(size) + LargestShift(size) + this->Touching.Radius);
+  this->IsNear.resize(all.Facets.size(), 0);
+  for (const Id f : this->Known.NearOthers)
   {
-    const PointOrigin& lowest = together.Origins[index[p]];
-    if (index[p] != static_cast<Id>(p) && together.Origins[p].IsInput() && lowest.IsInput())
+    this->IsNear[f] = 1;
+  }
+}
+
+/** Per point the lowest one with the same coordinates; empty if no two are equal. */
+std::vector<Id> BodyResolver::LowestEqualPoints(const FacetComplex& all) const
+{
+  // No two points of a chain are equal, except perhaps those of slabs.
+  std::vector<char> mayBeEqual(all.Points.size(), this->Thickens() ? 1 : 0);
+  for (const Id f : this->Known.NearOthers)
+  {
+    for (const Id p : all.Facets[f])
     {
-      this->SamePoints.Join(together.Origins[p].Points[0], lowest.Points[0]);
+      mayBeEqual[p] = 1;
     }
   }
-  std::size_t kept = 0;
-  for (std::size_t p = 0; p < count; ++p)
+  std::vector<Id> some;
+  std::vector<Point> places;
+  for (std::size_t p = 0; p < mayBeEqual.size(); ++p)
   {
-    const Id lowest = index[p];
-    index[p] = lowest == static_cast<Id>(p) ? static_cast<Id>(kept) : index[lowest];
-    if (lowest == static_cast<Id>(p))
+    if (mayBeEqual[p])
     {
-      together.Points[kept] = together.Points[p];
-      together.Origins[kept] = together.Origins[p];
-      for (Id& point : together.Origins[kept].Points)
+      some.push_back(static_cast<Id>(p));
+      places.push_back(all.Points[p]);
+    }
+  }
+  const std::vector<Id> merged = MergePoints(places, 0);
+  std::vector<Id> lowest;
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    if (merged[i] != static_cast<Id>(i))
+    {
+      if (lowest.empty())
       {
-        point = this->SamePoints.Find(point);
+        lowest.resize(all.Points.size());
+        std::iota(lowest.begin(), lowest.end(), 0);
       }
-      ++kept;
+      lowest[some[i]] = some[merged[i]];
     }
   }
-  together.Points.resize(kept);
-  together.Origins.resize(kept);
-  return index;
+  return lowest;
+}
+
+/**
+ * Make one point of equal points.
+ * @return per point of the former ones whether others are the same, and its number
+ */
+std::vector<BodyResolver::JoinedPoint> BodyResolver::JoinPoints(
+  const std::vector<Id>& lowest, FacetComplex& all)
+{
+  std::vector<JoinedPoint> joined(lowest.size(), { None, false });
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < lowest.size(); ++p)
+  {
+    const std::size_t first = static_cast<std::size_t>(lowest[p]);
+    if (first == p)
+    {
+      joined[p].Number = static_cast<Id>(kept);
+      all.Points[kept] = all.Points[p];
+      all.Origins[kept] = all.Origins[p];
+      ++kept;
+      continue;
+    }
+    joined[first].IsShared = true;
+    joined[p] = joined[first];
+    const PointOrigin& origin = all.Origins[joined[first].Number];
+    if (all.Origins[p].IsInput() && origin.IsInput())
+    {
+      this->SamePoints.Join(all.Origins[p].Points[0], origin.Points[0]);
+    }
+  }
+  all.Points.resize(kept);
+  all.Origins.resize(kept);
+  return joined;
+}
+
+/**
+ * Make one point of equal points, and one facet of equal facets.
+ * @return per facet of the former ones, its facet and whether it is turned
+ */
+std::vector<FacetSource> BodyResolver::JoinFacets(const std::vector<Id>& lowest, FacetComplex& all)
+{
+  const std::vector<JoinedPoint> joined = this->JoinPoints(lowest, all);
+  std::unordered_map<Triangle, FacetSource, HashOfTriangle> known; // of shared points
+  std::vector<FacetSource> places;
+  std::vector<int> multiplicity;
+  places.reserve(all.Facets.size());
+  multiplicity.reserve(all.Facets.size());
+  Id facets = 0;
+  for (std::size_t f = 0; f < all.Facets.size(); ++f)
+  {
+    Triangle corners = all.Facets[f];
+    bool isShared = true;
+    for (Id& p : corners)
+    {
+      isShared = isShared && joined[p].IsShared;
+      p = joined[p].Number;
+    }
+    FacetSource place = { facets, false };
+    if (isShared)
+    {
+      const SortedTriangle sorted(corners);
+      const auto [found, isNew] = known.insert({ sorted.Points, { facets, sorted.Turned } });
+      place = { found->second.Triangle, found->second.Reversed != sorted.Turned };
+    }
+    if (place.Triangle == facets)
+    {
+      all.Facets[facets] = corners;
+      this->Known.SetOf[facets] = this->Known.SetOf[f];
+      multiplicity.push_back(0);
+      ++facets;
+    }
+    const int count = all.Multiplicity[f];
+    multiplicity[place.Triangle] += place.Reversed ? -count : count;
+    places.push_back(place);
+  }
+  all.Facets.resize(static_cast<std::size_t>(facets));
+  this->Known.SetOf.resize(static_cast<std::size_t>(facets));
+  SetMultiplicity(multiplicity, all);
+  for (Id& f : this->Known.NearOthers)
+  {
+    f = places[f].Triangle;
+  }
+  SortUniquely(this->Known.NearOthers);
+  return places;
 }
 
 /** The chains as one complex, whose sources are the chains' facets, numbered consecutively. */
 FacetComplex BodyResolver::Together()
 {
-  FacetComplex together;
-  std::vector<Id> firstPoint;
-  Id points = 0;
-  for (const FacetComplex& chain : this->Chains)
+  FacetComplex together = this->ChainsInSequence();
+  this->FindNearOthers(together);
+  std::vector<FacetSource> places(together.Facets.size());
+  for (Id f = 0; f < together.NumberOfFacets(); ++f)
   {
-    firstPoint.push_back(points);
-    points += static_cast<Id>(chain.Points.size());
+    places[f] = { f, false };
   }
-  const std::vector<Id> index = this->TakePoints(together);
-  std::vector<char> isShared(together.Points.size(), 0); // several points of chains are one
-  for (std::size_t p = 0, next = 0; p < index.size(); ++p)
+  const std::vector<Id> lowest = this->LowestEqualPoints(together);
+  if (!lowest.empty())
   {
-    if (index[p] == static_cast<Id>(next))
+    places = this->JoinFacets(lowest, together);
+  }
+  for (PointOrigin& origin : together.Origins)
+  {
+    for (Id& p : origin.Points)
     {
-      ++next;
-    }
-    else
-    {
-      isShared[index[p]] = 1;
+      p = this->SamePoints.Find(p);
     }
   }
-
-  std::unordered_map<Triangle, FacetSource, HashOfTriangle> known; // of shared points
-  std::vector<FacetSource> places; // per facet of the chains, its facet and whether it is turned
-  std::vector<int> multiplicity;
-  std::size_t facets = 0;
-  for (const FacetComplex& chain : this->Chains)
-  {
-    facets += chain.Facets.size();
-  }
-  places.reserve(facets);
-  multiplicity.reserve(facets);
-  together.Facets.reserve(facets);
-  this->Known.SetOf.reserve(facets);
-  for (std::size_t b = 0; b < this->Chains.size(); ++b)
-  {
-    this->FirstFacet.push_back(static_cast<Id>(places.size()));
-    for (Id f = 0; f < this->Chains[b].NumberOfFacets(); ++f)
-    {
-      Triangle corners = this->Chains[b].Facets[f];
-      for (Id& p : corners)
-      {
-        p = index[firstPoint[b] + p];
-      }
-      FacetSource place = { together.NumberOfFacets(), false };
-      if (isShared[corners[0]] && isShared[corners[1]] && isShared[corners[2]])
-      {
-        const SortedTriangle sorted(corners);
-        const auto [found, isNew] =
-          known.insert({ sorted.Points, { place.Triangle, sorted.Turned } });
-        place = { found->second.Triangle, found->second.Reversed != sorted.Turned };
-      }
-      if (place.Triangle == together.NumberOfFacets())
-      {
-        together.Facets.push_back(corners);
-        multiplicity.push_back(0);
-        this->Known.SetOf.push_back(static_cast<Id>(b));
-      }
-      const int count = this->Chains[b].Multiplicity[f];
-      multiplicity[place.Triangle] += place.Reversed ? -count : count;
-      places.push_back(place);
-    }
-    this->Chains[b].Facets = {};
-  }
-  SetMultiplicity(multiplicity, together);
   SetFacetSources(places, together);
   this->TakeOwnCrossings(places);
   this->TakeTouching(places);
@@ -541,22 +628,6 @@ void BodyResolver::TakeTouching(const std::vector<FacetSource>& places)
     }
   }
   this->Touching.Pairs = std::move(pairs);
-}
-
-/** Find the facets that are near other bodies, or may be once all are cut. */
-void BodyResolver::FindNearOthers(const FacetComplex& together)
-{
-  const double size = LargestCoordinate(together.Points);
-  this->Known.NearOthers = FacetsNearOthers(together.Points, together.Facets, this->Known.SetOf,
-    SnappingRadius(size) + LargestShift(size) + this->Touching.Radius);
-  this->IsNear.resize(together.Sources.size(), 0);
-  for (const Id f : this->Known.NearOthers)
-  {
-    for (Id s = together.SourceOffsets[f]; s < together.SourceOffsets[f + 1]; ++s)
-    {
-      this->IsNear[together.Sources[s].Triangle] = 1;
-    }
-  }
 }
 
 /**
@@ -704,7 +775,6 @@ void BodyResolver::ResolveTogether()
 {
   FacetComplex together = this->Together();
   // Without a tolerance even the smallest overlap counts.
-  this->FindNearOthers(together);
   const std::vector<Id> mayTouch =
     this->Parameters.Chain.MergeTolerance > 0 ? this->Known.NearOthers : std::vector<Id>();
   Resolution resolution = ResolveSelfIntersections(

@@ -8,7 +8,6 @@ namespace insideout
 std::vector<char> FindClosedBodies(const ResolvedBodies& bodies, const FacetEdges& edges)
 {
   std::vector<char> isClosed(bodies.Bodies.size(), 1);
-  std::vector<int> sums(bodies.Bodies.size(), 0);
   const auto forCounts = [&](const FacetEdge* first, const FacetEdge* last, const auto& visit)
   {
     for (const FacetEdge* edge = first; edge != last; ++edge)
@@ -19,15 +18,24 @@ std::vector<char> FindClosedBodies(const ResolvedBodies& bodies, const FacetEdge
       }
     }
   };
-  ForEachEdge(edges,
-    [&](const FacetEdge* first, const FacetEdge* last)
+  const double nanosecondsPerEdge = 5;
+  ForBlocksOfEdges(edges, nanosecondsPerEdge,
+    [&](const FacetEdge* begin, const FacetEdge* end)
     {
-      forCounts(first, last, [&](Id body, int count) { sums[body] += count; });
-      forCounts(first, last,
-        [&](Id body, int)
+      std::vector<int> sums(isClosed.size(), 0);
+      ForEachEdge(begin, end,
+        [&](const FacetEdge* first, const FacetEdge* last)
         {
-          isClosed[body] &= sums[body] == 0;
-          sums[body] = 0;
+          forCounts(first, last, [&](Id body, int count) { sums[body] += count; });
+          forCounts(first, last,
+            [&](Id body, int)
+            {
+              if (sums[body] != 0)
+              {
+                __atomic_store_n(&isClosed[body], char(0), __ATOMIC_RELAXED);
+                sums[body] = 0;
+              }
+            });
         });
     });
   return isClosed;

@@ -39,8 +39,8 @@ public:
   }
 
   /**
-   * The same on several threads. On more than one, values are in arbitrary order within a bucket
-   * that several elements visit: sort them.
+   * The same on several threads. Values may be in any order within a bucket that several elements
+   * visit: sort them.
    *
    * @param[in] elements number of elements
    * @param[in] cost estimated nanoseconds of one element
@@ -51,7 +51,9 @@ public:
   static Buckets Unordered(
     std::size_t count, std::size_t elements, double cost, const ForElement& forElement)
   {
-    if (TeamSize(static_cast<double>(elements) * cost) == 1)
+    const double nanoseconds = static_cast<double>(elements) * cost;
+    const int threads = TeamSize(nanoseconds);
+    if (threads == 1)
     {
       return Buckets(count,
         [&](auto visit)
@@ -64,6 +66,34 @@ public:
     }
     Buckets all;
     all.Begin.assign(count + 2, 0);
+    if (threads <= MostRanges)
+    {
+      const auto forAll = [&](const auto& visit)
+      {
+        ParallelLoop(threads, nanoseconds,
+          [&](int range)
+          {
+            const std::size_t first = count * range / threads;
+            const std::size_t size = count * (range + 1) / threads - first;
+            for (std::size_t i = 0; i < elements; ++i)
+            {
+              forElement(i,
+                [&](std::size_t bucket, const Value& value)
+                {
+                  if (bucket - first < size)
+                  {
+                    visit(bucket, value);
+                  }
+                });
+            }
+          });
+      };
+      forAll([&](std::size_t bucket, const Value&) { ++all.Begin[bucket + 2]; });
+      all.AddUpSizes();
+      forAll([&](std::size_t bucket, const Value& value)
+        { all.Values[all.Begin[bucket + 1]++] = value; });
+      return all;
+    }
     ParallelLoop(elements, cost,
       [&](std::size_t i)
       { forElement(i, [&](std::size_t bucket, const Value&) { Next(all.Begin[bucket + 2]); }); });
@@ -109,6 +139,10 @@ public:
   RawVector<Value> TakeAll() && { return std::move(this->Values); }
 
 private:
+  /** So few threads visit all elements each, for a range of buckets: that takes less time than
+   * counting in turns. */
+  static constexpr int MostRanges = 2;
+
   void AddUpSizes()
   {
     for (std::size_t bucket = 2; bucket < this->Begin.size(); ++bucket)

@@ -3,6 +3,7 @@
 
 #include "Common/BoxTree.h"
 #include "Common/DisjointSets.h"
+#include "Common/RawVector.h"
 #include "Common/TrianglePredicates.h"
 #include "Common/Vectors.h"
 
@@ -29,6 +30,8 @@ constexpr double LeastAlongAxis = 0.3;
 /** A facet and its unit normal, in doubles. */
 struct Slab
 {
+  Slab() = default;
+
   Slab(const FacetList& surface, Id facet)
   {
     this->Corners = CornersOf(surface.Points, surface.Facets[facet]);
@@ -223,31 +226,36 @@ std::vector<TouchingGroup> GroupTouching(
 std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::vector<Id>& among,
   double radius, Monitor& monitor, const ProgressRange& progress, const std::vector<Id>& bodies)
 {
-  std::vector<Slab> slabs;
-  std::vector<Box> boxes;
-  slabs.reserve(among.size());
-  boxes.reserve(among.size());
-  for (const Id f : among)
-  {
-    slabs.emplace_back(surface, f);
-    boxes.push_back(Around(surface, f, radius));
-  }
+  const double nanosecondsPerFacet = 150;
+  RawVector<Slab> slabs(among.size());
+  std::vector<Box> boxes(among.size());
+  ParallelLoop(among.size(), nanosecondsPerFacet,
+    [&](std::size_t i)
+    {
+      slabs[i] = Slab(surface, among[i]);
+      boxes[i] = Around(surface, among[i], radius);
+    });
   const std::vector<Id>& bodyOf = bodies.empty() ? among : bodies;
   const BoxTree tree(boxes);
   const std::vector<Id> bodyOfParts = tree.SetsOfParts(bodyOf);
-  std::vector<std::array<Id, 2>> layers;
-  for (Id part = 0; part < tree.NumberOfParts(); ++part)
-  {
-    monitor.Check(progress.Stage, progress.Begin);
-    tree.VisitPairsBetween(part, bodyOf, bodyOfParts,
-      [&](Id a, Id b)
-      {
-        if (AreInOneSlab(slabs[a], slabs[b], radius) &&
-          OverlapInPlane(CornersOf(surface, among[a]), CornersOf(surface, among[b])))
+  std::vector<std::vector<std::array<Id, 2>>> found(static_cast<std::size_t>(tree.NumberOfParts()));
+  ParallelLoop(tree.NumberOfParts(), nanosecondsPerFacet, monitor, progress,
+    [&](Id part)
+    {
+      tree.VisitPairsBetween(part, bodyOf, bodyOfParts,
+        [&](Id a, Id b)
         {
-          layers.push_back({ among[a], among[b] });
-        }
-      });
+          if (AreInOneSlab(slabs[a], slabs[b], radius) &&
+            OverlapInPlane(CornersOf(surface, among[a]), CornersOf(surface, among[b])))
+          {
+            found[part].push_back({ among[a], among[b] });
+          }
+        });
+    });
+  std::vector<std::array<Id, 2>> layers;
+  for (const std::vector<std::array<Id, 2>>& some : found)
+  {
+    layers.insert(layers.end(), some.begin(), some.end());
   }
   return layers;
 }

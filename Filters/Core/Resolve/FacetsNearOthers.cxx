@@ -3,6 +3,7 @@
 
 #include "Common/Box.h"
 #include "Common/ParallelLoop.h"
+#include "Common/RawVector.h"
 
 #include <algorithm>
 #include <atomic>
@@ -144,16 +145,16 @@ void ForStretches(std::size_t facets, const Visit& visit)
     { visit(turn * FacetsPerTurn, std::min((turn + 1) * FacetsPerTurn, facets)); });
 }
 
-std::vector<CellRange> CellsAround(
+RawVector<CellRange> CellsAround(
   const std::vector<Point>& points, const FacetGrid& grid, double radius)
 {
-  std::vector<CellRange> around(points.size());
+  RawVector<CellRange> around(points.size());
   ParallelLoop(points.size(), NanosecondsPerRange,
     [&](std::size_t p) { around[p] = grid.CellsOf(points[p], radius); });
   return around;
 }
 
-CellRange CellsOf(const Triangle& facet, const std::vector<CellRange>& around)
+CellRange CellsOf(const Triangle& facet, const RawVector<CellRange>& around)
 {
   CellRange range = around[facet[0]];
   range.Add(around[facet[1]]);
@@ -183,8 +184,8 @@ std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
     return {}; // a single set
   }
   FacetGrid grid(BoundingBox(points), facets.size());
-  const std::vector<CellRange> around = CellsAround(points, grid, radius);
-  std::vector<CellRange> ranges(facets.size());
+  const RawVector<CellRange> around = CellsAround(points, grid, radius);
+  RawVector<CellRange> ranges(facets.size());
   std::atomic<std::size_t> size{ 0 };
   ForStretches(facets.size(),
     [&](std::size_t first, std::size_t last)
@@ -242,7 +243,7 @@ std::vector<Id> FacetsNearNew(
     return {};
   }
   const FacetGrid grid(BoundingBox(points), facets.size());
-  const std::vector<CellRange> around = CellsAround(points, grid, 0);
+  const RawVector<CellRange> around = CellsAround(points, grid, 0);
   std::vector<char> isNearNew(grid.NumberOfCells(), 0);
   for (std::size_t f = old; f < facets.size(); ++f)
   {

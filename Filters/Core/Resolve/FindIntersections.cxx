@@ -22,6 +22,12 @@ constexpr Id BlockSize = 256;
 /** An estimate of the time per facet. */
 constexpr double NanosecondsPerFacet = 1000;
 
+/** An estimate of the time to find a facet's box. */
+constexpr double NanosecondsPerBox = 15;
+
+/** Facets of a part that share a box: neighbors in the input are near each other as a rule. */
+constexpr Id FacetsPerBlock = 16;
+
 /** From this number of pairs of facets on, building a tree pays off. */
 constexpr std::size_t ManyPairs = 4096;
 
@@ -110,17 +116,29 @@ public:
   PartSearcher(const FacetComparer& comparer, const SurfaceParts& surface)
     : Comparer(comparer)
     , Surface(surface)
-    , Boxes(comparer.BoxesOf(surface.Facets))
+    , FirstBlocks({ 0 })
   {
     for (const SurfacePart& part : surface.Parts)
     {
-      Box box = Box::Empty();
-      for (Id i = part.Begin; i < part.End; ++i)
-      {
-        box.Add(this->Boxes[i]);
-      }
-      this->BoxesOfParts.push_back(box);
+      const Id blocks = (part.End - part.Begin + FacetsPerBlock - 1) / FacetsPerBlock;
+      this->FirstBlocks.push_back(this->FirstBlocks.back() + blocks);
     }
+    this->Blocks.resize(static_cast<std::size_t>(this->FirstBlocks.back()), Box::Empty());
+    this->BoxesOfParts.resize(surface.Parts.size(), Box::Empty());
+    const double facets = static_cast<double>(surface.Facets.size());
+    ParallelLoop(surface.Parts.size(),
+      NanosecondsPerBox * facets / static_cast<double>(surface.Parts.size() + 1),
+      [&](std::size_t p)
+      {
+        const SurfacePart& part = surface.Parts[p];
+        Box* const blocks = this->Blocks.data() + this->FirstBlocks[p];
+        for (Id i = part.Begin; i < part.End; ++i)
+        {
+          blocks[(i - part.Begin) / FacetsPerBlock].Add(comparer.BoxOf(surface.Facets[i]));
+        }
+        std::for_each(blocks, this->Blocks.data() + this->FirstBlocks[p + 1],
+          [&](const Box& box) { this->BoxesOfParts[p].Add(box); });
+      });
   }
 
   Pairs Search(Monitor& monitor) const
@@ -156,35 +174,53 @@ public:
   }
 
 private:
-  void SearchIn(const SurfacePart& part, Pairs& pairs) const
-  {
-    const BoxTree tree({ this->Boxes.begin() + part.Begin, this->Boxes.begin() + part.End });
-    const Id* const facets = this->Surface.Facets.data() + part.Begin;
-    for (Id node = 0; node < tree.NumberOfParts(); ++node)
-    {
-      tree.VisitPairs(
-        node, [&](Id i, Id j) { this->Comparer.Compare(facets[i], facets[j], pairs); });
-    }
-  }
-
   /** Facets of a part, and their boxes. */
   struct Some
   {
     std::vector<Id> Facets;
     std::vector<Box> Boxes;
     Box Bounds = Box::Empty();
+
+    void Add(Id facet, const Box& box)
+    {
+      this->Facets.push_back(facet);
+      this->Boxes.push_back(box);
+      this->Bounds.Add(box);
+    }
   };
 
-  Some Within(const SurfacePart& part, const Box& box) const
+  void SearchIn(const SurfacePart& part, Pairs& pairs) const
   {
-    Some some;
+    Some all;
     for (Id i = part.Begin; i < part.End; ++i)
     {
-      if (this->Boxes[i].Meets(box))
+      all.Add(this->Surface.Facets[i], this->Comparer.BoxOf(this->Surface.Facets[i]));
+    }
+    const BoxTree tree(all.Boxes);
+    for (Id node = 0; node < tree.NumberOfParts(); ++node)
+    {
+      tree.VisitPairs(
+        node, [&](Id i, Id j) { this->Comparer.Compare(all.Facets[i], all.Facets[j], pairs); });
+    }
+  }
+
+  Some Within(Id p, const Box& box) const
+  {
+    Some some;
+    const SurfacePart& part = this->Surface.Parts[p];
+    for (Id block = this->FirstBlocks[p]; block < this->FirstBlocks[p + 1]; ++block)
+    {
+      if (this->Blocks[block].Meets(box))
       {
-        some.Facets.push_back(this->Surface.Facets[i]);
-        some.Boxes.push_back(this->Boxes[i]);
-        some.Bounds.Add(this->Boxes[i]);
+        const Id begin = part.Begin + (block - this->FirstBlocks[p]) * FacetsPerBlock;
+        for (Id i = begin; i < std::min(begin + FacetsPerBlock, part.End); ++i)
+        {
+          const Id facet = this->Surface.Facets[i];
+          if (const Box own = this->Comparer.BoxOf(facet); own.Meets(box))
+          {
+            some.Add(facet, own);
+          }
+        }
       }
     }
     return some;
@@ -192,8 +228,8 @@ private:
 
   void SearchBetween(Id a, Id b, Pairs& pairs) const
   {
-    const Some first = this->Within(this->Surface.Parts[a], this->BoxesOfParts[b]);
-    const Some second = this->Within(this->Surface.Parts[b], first.Bounds);
+    const Some first = this->Within(a, this->BoxesOfParts[b]);
+    const Some second = this->Within(b, first.Bounds);
     if (first.Facets.size() * second.Facets.size() > ManyPairs)
     {
       const BoxTree tree(first.Boxes);
@@ -218,7 +254,8 @@ private:
 
   const FacetComparer& Comparer;
   const SurfaceParts& Surface;
-  const std::vector<Box> Boxes; ///< of the facets, in the order of the parts
+  std::vector<Id> FirstBlocks; ///< of the parts, and the end
+  std::vector<Box> Blocks;     ///< boxes of FacetsPerBlock facets of a part each
   std::vector<Box> BoxesOfParts;
 };
 } // namespace

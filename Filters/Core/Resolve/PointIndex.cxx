@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdint>
+#include <cstring>
 
 namespace insideout
 {
@@ -22,7 +23,9 @@ std::size_t HashOf(const std::array<double, 3>& cell)
   std::size_t hash = 0;
   for (const double x : cell)
   {
-    hash = (hash ^ std::hash<double>()(x)) * 0x9E3779B97F4A7C15u;
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof(bits));
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
     hash ^= hash >> 29;
   }
   return hash;

@@ -98,7 +98,7 @@ private:
   void TakeAlike(const std::vector<PlanarSubdivision>& subdivisions, double radius);
   std::vector<std::vector<Id>> TakePieces(
     const std::vector<PlanarSubdivision>& subdivisions, double radius);
-  void TakePositions(const std::vector<char>& isCut);
+  void TakePositions(const std::vector<Point>& wanted);
   void PrepareSnapping(const std::vector<char>& isCut, double radius);
   std::vector<std::vector<Id>> PlacePoints(const std::vector<PlanarSubdivision>& subdivisions);
   Id PlacePoint(const Point& p, Id root);
@@ -118,10 +118,9 @@ private:
   FacetComplex Given; ///< its points and origins move to the next one
   WorkingSurface Now;
 
-  PointIndex Positions{ 0 };  ///< all points near the cuts
-  std::vector<char> HasPlace; ///< per point: whether it is among these
-  PointIndex Nearby{ 0 };     ///< points that new points of this round may snap to
-  PointIndex Moved{ 0 };      ///< points snapped in this round, by their former positions
+  PointIndex Positions{ 0 }; ///< points where the names of this round are placed
+  PointIndex Nearby{ 0 };    ///< points that new points of this round may snap to
+  PointIndex Moved{ 0 };     ///< points snapped in this round, by their former positions
 };
 
 Resolver::Resolver(FacetComplex surface, Monitor& monitor)
@@ -323,30 +322,34 @@ std::vector<std::vector<Id>> Resolver::TakePieces(
       isCut[facet.Facet] = 1;
     }
   }
-  this->TakePositions(isCut);
   this->PrepareSnapping(isCut, radius);
   std::vector<std::vector<Id>> ids = this->PlacePoints(subdivisions);
   this->Now.Replace(std::move(isCut), this->PlacedPieces(subdivisions, ids));
   return ids;
 }
 
-/** Record the rounded points, in the box of all cuts, that new points may coincide with. */
-void Resolver::TakePositions(const std::vector<char>& isCut)
+/** Record the points at wanted positions. */
+void Resolver::TakePositions(const std::vector<Point>& wanted)
 {
-  Box box = Box::Empty();
-  for (std::size_t f = 0; f < isCut.size(); ++f)
+  const Box box = BoundingBox(wanted);
+  PointIndex index(0);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
   {
-    if (isCut[f])
-    {
-      box.Add(BoundingBox(this->Now.Points, this->Now.Facets[f]));
-    }
+    index.Add(wanted[i], static_cast<Id>(i));
   }
-  this->HasPlace.resize(this->Now.Points.size(), 0);
-  for (std::size_t p = 0; p < this->HasPlace.size(); ++p)
-  {
-    if (!this->HasPlace[p] && box.Holds(this->Now.Points[p]))
+  std::vector<char> isWanted(this->Now.Points.size(), 0);
+  const double nanosecondsPerPoint = 5;
+  ParallelLoop(isWanted.size(), nanosecondsPerPoint,
+    [&](std::size_t p)
     {
-      this->HasPlace[p] = 1;
+      const Point& place = this->Now.Points[p];
+      isWanted[p] = box.Holds(place) && index.Find(place) != None;
+    });
+  this->Positions = PointIndex(0);
+  for (std::size_t p = 0; p < isWanted.size(); ++p)
+  {
+    if (isWanted[p])
+    {
       this->Positions.Add(this->Now.Points[p], static_cast<Id>(p));
     }
   }
@@ -359,9 +362,10 @@ void Resolver::PrepareSnapping(const std::vector<char>& isCut, double radius)
   std::vector<char> added(this->Now.Points.size(), 0);
   for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
-    for (const Id p : this->Now.Facets[f])
+    for (int k = 0; isCut[f] && k < 3; ++k)
     {
-      if (isCut[f] && !added[p])
+      const Id p = this->Now.Facets[f][k];
+      if (!added[p])
       {
         this->Nearby.Add(this->Now.Points[p], p);
         added[p] = 1;
@@ -389,6 +393,7 @@ std::vector<std::vector<Id>> Resolver::PlacePoints(
   const double nanosecondsPerName = 1000; // to construct and round it
   ParallelLoop(static_cast<Id>(names.size()), nanosecondsPerName, this->Watch,
     { Stages::Resolving, 0, 0 }, [&](Id i) { rounded[i] = Nearest(names[i], facets); });
+  this->TakePositions(rounded);
 
   std::vector<Id> placed(names.size(), None);
   std::vector<std::vector<Id>> ids;
@@ -439,7 +444,6 @@ Id Resolver::PlacePoint(const Point& p, Id root)
   }
   const Id id = this->Now.AddPoint(p, root);
   this->Positions.Add(p, id);
-  this->HasPlace.push_back(1);
   this->Nearby.Add(p, id);
   return id;
 }

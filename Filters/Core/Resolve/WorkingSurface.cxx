@@ -147,29 +147,35 @@ void WorkingSurface::Apply(const Replacement& replacement)
 void WorkingSurface::Replace(std::vector<char> isRemoved, const std::vector<MeantFacet>& added)
 {
   this->AddFacets(added, isRemoved);
-  std::vector<Id> kept(this->Facets.size(), None);
-  Id count = 0;
-  Id firstUnchecked = 0;
-  for (std::size_t f = 0; f < this->Facets.size(); ++f)
+  const auto isGone = [&](Id f) { return isRemoved[f] != 0; };
+  std::vector<Id> removed;
+  for (Id f = 0; f < static_cast<Id>(isRemoved.size()); ++f)
   {
-    if (isRemoved[f])
+    if (isGone(f))
     {
-      continue;
+      removed.push_back(f);
     }
-    this->Facets[count] = this->Facets[f];
-    this->MeaningIds[count] = this->MeaningIds[f];
-    kept[f] = count++;
-    firstUnchecked = static_cast<Id>(f) < this->FirstUnchecked ? count : firstUnchecked;
+  }
+  std::size_t count = removed.empty() ? isRemoved.size() : static_cast<std::size_t>(removed[0]);
+  for (std::size_t f = count; f < isRemoved.size(); ++f)
+  {
+    if (!isRemoved[f])
+    {
+      this->Facets[count] = this->Facets[f];
+      this->MeaningIds[count] = this->MeaningIds[f];
+      ++count;
+    }
   }
   this->Facets.resize(count);
   this->MeaningIds.resize(count);
-  this->FirstUnchecked = firstUnchecked;
+  const auto placeOf = [&](Id f) { return f - IndexIn(removed, f); }; // of one that stays
+  this->FirstUnchecked = placeOf(this->FirstUnchecked);
   std::vector<std::array<Id, 2>> crossings;
   for (const auto& pair : this->Crossings)
   {
-    if (kept[pair[0]] != None && kept[pair[1]] != None)
+    if (!isGone(pair[0]) && !isGone(pair[1]))
     {
-      crossings.push_back({ kept[pair[0]], kept[pair[1]] });
+      crossings.push_back({ placeOf(pair[0]), placeOf(pair[1]) });
     }
   }
   this->Crossings = std::move(crossings);

@@ -68,8 +68,8 @@ bool Participates(const TriangleSoup& soup, Id triangle)
 }
 
 /** Per triangle the first one with the same corners, itself included; None for degenerate ones. */
-std::vector<Id> FirstWithSameCorners(
-  const TriangleSoup& soup, const std::vector<SortedTriangle>& sorted)
+template <class CornersOf>
+std::vector<Id> FirstWithSameCorners(const TriangleSoup& soup, const CornersOf& cornersOf)
 {
   struct Entry
   {
@@ -78,22 +78,22 @@ std::vector<Id> FirstWithSameCorners(
     Id Triangle;
   };
   const double nanosecondsPerTriangle = 30;
-  std::vector<Id> first(sorted.size(), None);
-  ParallelLoop(sorted.size(), nanosecondsPerTriangle,
+  std::vector<Id> first(soup.Triangles.size(), None);
+  ParallelLoop(first.size(), nanosecondsPerTriangle,
     [&](std::size_t t)
     {
-      if (!IsDegenerate(soup.Points, sorted[t].Points))
+      if (!IsDegenerate(soup.Points, cornersOf(t)))
       {
         first[t] = static_cast<Id>(t);
       }
     });
   Buckets<Entry> byLowest =
-    Buckets<Entry>::Unordered(soup.Points.size(), sorted.size(), nanosecondsPerTriangle / 3,
+    Buckets<Entry>::Unordered(soup.Points.size(), first.size(), nanosecondsPerTriangle / 3,
       [&](std::size_t t, const auto& visit)
       {
         if (first[t] != None)
         {
-          const Triangle& corners = sorted[t].Points;
+          const Triangle corners = SortedTriangle(cornersOf(t)).Points;
           visit(static_cast<std::size_t>(corners[0]),
             Entry{ corners[1], corners[2], static_cast<Id>(t) });
         }
@@ -126,13 +126,8 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, Coun
     const Triangle& given = soup.Triangles[t];
     return Triangle{ { merged[given[0]], merged[given[1]], merged[given[2]] } };
   };
-  std::vector<SortedTriangle> sorted;
-  sorted.reserve(soup.Triangles.size());
-  for (std::size_t t = 0; t < soup.Triangles.size(); ++t)
-  {
-    sorted.emplace_back(cornersOf(t));
-  }
-  const std::vector<Id> first = FirstWithSameCorners(soup, sorted);
+  const std::vector<Id> first = FirstWithSameCorners(soup, cornersOf);
+  const auto isTurned = [&](Id t) { return SortedTriangle(cornersOf(t)).Turned; };
   std::vector<FacetSource> places; // per triangle its facet, None for degenerate ones
   surface.Facets.reserve(soup.Triangles.size());
   places.reserve(soup.Triangles.size());
@@ -150,7 +145,7 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, Coun
       surface.Facets.push_back(cornersOf(t));
       continue;
     }
-    places.push_back({ places[first[t]].Triangle, sorted[t].Turned != sorted[first[t]].Turned });
+    places.push_back({ places[first[t]].Triangle, isTurned(t) != isTurned(first[t]) });
   }
   SetFacetSources(places, surface);
   surface.NumberOfConstraints = surface.NumberOfFacets();
@@ -193,6 +188,13 @@ void CountSources(const TriangleSoup& soup, bool countDuplicates, CountedChain& 
   FacetComplex& surface = chain.Surface;
   SurfaceCounts& counts = chain.Counts;
   counts.DegenerateFacets = static_cast<Id>(chain.DegenerateTriangles.size());
+  if (surface.Sources.size() == surface.Facets.size() && soup.Multiplicity.empty() &&
+    soup.NonParticipating.empty())
+  {
+    surface.Multiplicity.assign(surface.Facets.size(), 1); // each is given once
+    surface.Opposed.assign(surface.Facets.size(), 0);
+    return;
+  }
   const GivenFacets given = FacetsAsGiven(soup, surface);
   const bool chooses = soup.Multiplicity.empty() && !countDuplicates;
   const std::vector<FacetCopies> counted =

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/ParallelLoop.h"
 #include "Common/RawVector.h"
 #include "Common/Types.h"
+
+#include <algorithm>
 
 namespace insideout
 {
@@ -24,10 +27,9 @@ FacetEdges SortedFacetEdges(const std::vector<Triangle>& facets);
 
 /** Call visit(first, last) with the range of FacetEdges of each edge, in order. */
 template <typename Visitor>
-void ForEachEdge(const FacetEdges& edges, Visitor visit)
+void ForEachEdge(const FacetEdge* begin, const FacetEdge* end, Visitor visit)
 {
-  const FacetEdge* const end = edges.data() + edges.size();
-  for (const FacetEdge* first = edges.data(); first != end;)
+  for (const FacetEdge* first = begin; first != end;)
   {
     const FacetEdge* last = first + 1;
     while (last != end && last->Low == first->Low && last->High == first->High)
@@ -37,6 +39,34 @@ void ForEachEdge(const FacetEdges& edges, Visitor visit)
     visit(first, last);
     first = last;
   }
+}
+
+template <typename Visitor>
+void ForEachEdge(const FacetEdges& edges, const Visitor& visit)
+{
+  ForEachEdge(edges.data(), edges.data() + edges.size(), visit);
+}
+
+/**
+ * Call work(begin, end), on several threads, for ranges that hold all FacetEdges of their edges.
+ * @param[in] cost estimated nanoseconds for each FacetEdge
+ */
+template <typename Work>
+void ForBlocksOfEdges(const FacetEdges& edges, double cost, const Work& work)
+{
+  constexpr std::size_t BlockSize = 8192;
+  const auto beginOf = [&](std::size_t block)
+  {
+    std::size_t at = std::min(block * BlockSize, edges.size());
+    while (at > 0 && at < edges.size() && edges[at].Low == edges[at - 1].Low &&
+      edges[at].High == edges[at - 1].High)
+    {
+      ++at;
+    }
+    return edges.data() + at;
+  };
+  ParallelLoop((edges.size() + BlockSize - 1) / BlockSize, cost * BlockSize,
+    [&](std::size_t block) { work(beginOf(block), beginOf(block + 1)); });
 }
 
 /** Components of facets that are joined through edges. */
