@@ -29,7 +29,8 @@
  * SecondsRefine. If the surface is not kept: SurfacePoints (points added on it) and KeptFacets
  * (facets left unchanged because they cross others). If it is remeshed: SurfaceTolerance and, by
  * samples, SurfaceDistance (of the new surface from the old) and InputDistance (of the old one from
- * the new). If needles are removed from a kept surface: MendedNeedles, and SurfaceTolerance.
+ * the new). If needles or flat cells of a kept surface are mended: MendedNeedles, the changes, and
+ * SurfaceTolerance.
  *
  * The statistics include the quality of the cells by the names of vtkSolidQuality, from
  * MinDihedralAngle to SurfaceEdgesUnder5Degrees, RefusedCells and PoorCells; and the quality of the
@@ -127,8 +128,9 @@ public:
    * SPLIT: they are divided, so that long and thin ones do not make thin cells. REMESHED: they are
    * replaced, within SurfaceTolerance, by triangles of the requested edge length. AUTOMATIC:
    * REMESHED if EdgeLength, SizeRules or SizingArrayName is given, else KEPT. Default AUTOMATIC. If
-   * a surface kept so leaves cells that a solver refuses, AUTOMATIC removes its needles lower than
-   * a millionth of the longest edge of its box. Areas by tag and volumes by region stay within a
+   * a surface kept so leaves cells that a solver refuses, AUTOMATIC removes its needles and moves
+   * corners of flat cells. It moves by at most a millionth of the longest edge of its box, or by
+   * 4e-7 in the unit of the coordinates. Areas by tag and volumes by region stay within a
    * millionth. If such cells are left, it takes REMESHED, unless areas and volumes have names (two
    * tags beside that of holes; named or touching regions) or there are more than 100,000 cells. It
    * does each if fewer cells are refused, with a warning. SPLIT keeps all points; the pieces lie in

@@ -483,7 +483,6 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   {
     regionsNow.push_back(regions[refined.OriginalCells[c]]);
   }
-  result.LargestChange = refined.LargestChange;
   result.Fitness =
     FitnessForSolver(made.Points, made.Cells, made.Midpoints, {}, regionsNow, monitor, end);
   AppendFitness(result.Fitness, result.Statistics);
@@ -492,9 +491,6 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());
   return result;
 }
-
-/** Limit of the relative change of a tag's area and a region's volume by mending. */
-constexpr double LargestChangeByName = 1e-6;
 
 /** Limit of cells of a kept surface for remeshing it unasked: it may take minutes, and be in vain.
  */
@@ -546,11 +542,11 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   other.MendsSurface = true;
   Refinement mended = RefineAsGiven(grid, boundary, other, quadratic, monitor);
   const Id needles = static_cast<Id>(StatisticOf(mended.Statistics, "MendedNeedles"));
-  if (needles > 0 && mended.Fitness.RefusedCells < kept.Fitness.RefusedCells &&
-    mended.LargestChange <= LargestChangeByName)
+  if (needles > 0 && mended.Fitness.RefusedCells < kept.Fitness.RefusedCells)
   {
     std::ostringstream words;
-    words << ": without " << needles << " of its needles, which moves it by at most "
+    words << ": after " << needles
+          << " changes to its needles and flat cells, which move it by at most "
           << std::setprecision(3) << StatisticOf(mended.Statistics, "SurfaceTolerance") << ",";
     best = mended;
     best.Warnings.push_back(WordsOfTreatment(kept, words.str(), best));

@@ -24,7 +24,6 @@ struct Refinement
   bool ChangesMasses = false;                    ///< whether the surface may have moved
   std::vector<insideout::MassProperties> Masses; ///< of the regions, if so
   insideout::MassProperties Mass;                ///< of all, if so
-  double LargestChange = 0;                      ///< as in RefinedMesh
   insideout::SolverFitness Fitness;
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;

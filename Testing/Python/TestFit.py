@@ -260,7 +260,7 @@ class Unfit(CommandLine):
         self.assertEqual(made.statistics["RefusedCells"], 0)
         self.assertAlmostEqual(made.volume, 8, 9)
         self.assertEqual(len(made.boundary.triangles), len(kept.boundary.triangles))
-        told = r"a solver would refuse 1 of \d+ cells where the surface is kept: without 1 of its needles, which moves it by at most 2e-06, 0 are left"
+        told = r"a solver would refuse 1 of \d+ cells where the surface is kept: after 1 changes to its needles and flat cells, which move it by at most 2e-06, 0 are left"
         self.assertRegex(" ".join(made.warnings), told + "; set surface_treatment to kept")
         # Each of several tags keeps its area.
         surfaces.add_array(needle.GetCellData(), "Side", np.arange(needle.GetNumberOfCells(), dtype=np.int64) // 8)
@@ -285,7 +285,7 @@ class Unfit(CommandLine):
         step = surfaces.polydata(points, [*sides, (0, 1, 2, 3, 4, 5), (11, 10, 9, 8, 7, 6)])
         made = insideout.tetrahedralize(step, refine=True, scale=3e-6)
         self.assertEqual(made.statistics["RefusedCells"], 0)
-        self.assertRegex(" ".join(made.warnings), r"where the surface is kept: without \d+ of its needles")
+        self.assertRegex(" ".join(made.warnings), r"where the surface is kept: after \d+ changes to its needles")
         surfaces.add_array(step.GetCellData(), "Side", np.eye(1, step.GetNumberOfCells(), 3, dtype=np.int64)[0])
         tagged = insideout.tetrahedralize(step, refine=True, scale=3e-6, tag_array="Side")
         self.assertGreater(tagged.statistics["RefusedCells"], 0)

@@ -21,9 +21,6 @@ namespace
 /** Time per cell. */
 constexpr double NanosecondsPerCell = 100;
 
-/** CalculiX refuses smaller ones, in any unit. */
-constexpr double SmallestJacobian = 1e-20;
-
 /** In degrees, and its sine. */
 constexpr double PoorAngle = 1;
 constexpr double SineOfPoorAngle = 0.017452406437283512;
@@ -283,6 +280,11 @@ std::string AdviceFor(const SolverFitness& fitness, CellTreatment done, bool may
   return advice;
 }
 } // namespace
+
+bool IsRefused(const std::array<Point, 4>& corners)
+{
+  return !(Jacobian(corners, LinearDerivatives) >= SmallestJacobian);
+}
 
 SolverFitness FitnessForSolver(const std::vector<Point>& points,
   const std::vector<Tetrahedron>& cells, const std::vector<std::array<Id, 6>>& midpoints,

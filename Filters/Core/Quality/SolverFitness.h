@@ -6,6 +6,7 @@
 #include "Common/Statistics.h"
 #include "Common/Types.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,12 @@ enum class CellTreatment
   Refined,
   Remeshed ///< refined, with other triangles on the surface
 };
+
+/** CalculiX refuses smaller Jacobian determinants, in any unit. */
+constexpr double SmallestJacobian = 1e-20;
+
+/** Whether a solver refuses a linear tetrahedron: its Jacobian determinant is below 1e-20. */
+bool IsRefused(const std::array<Point, 4>& corners);
 
 /**
  * Count the cells that are unfit for a solver.

@@ -7,11 +7,6 @@
 #include "Refine/CellShape.h"
 #include "Refine/ContractSmallSteps.h"
 #include "Refine/ReconnectCells.h"
-#include "Refine/SurfacePiece.h"
-
-#include <algorithm>
-#include <cmath>
-#include <map>
 
 namespace insideout
 {
@@ -22,9 +17,6 @@ constexpr int MostRounds = 4;
 
 /** Feature angle above which no edge is a ridge. */
 constexpr double NoRidges = 180;
-
-/** Share in the sum of all names: a name below it is compared with it, as a rounding error. */
-constexpr double LeastShare = 1e-9;
 
 /**
  * Flip the longest edges of pieces whose height is at most the tolerance, between pieces of one
@@ -65,31 +57,12 @@ Id FlipCaps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
   }
   return count;
 }
-
-/** The largest relative difference of two sums of positive numbers by name. */
-double LargestChange(const std::map<Id, double>& before, const std::map<Id, double>& after)
-{
-  double all = 0;
-  for (const auto& [name, sum] : before)
-  {
-    all += sum;
-  }
-  double largest = 0;
-  for (const auto& [name, sum] : before)
-  {
-    const auto found = after.find(name);
-    const double change = std::abs((found == after.end() ? 0 : found->second) - sum);
-    largest = std::max(largest, change / std::max(sum, LeastShare * all));
-  }
-  return largest;
-}
 } // namespace
 
 Id MendNeedles(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets,
-  const std::vector<char>& locked, double tolerance, Monitor& monitor)
+  const std::vector<char>& locked, SurfaceBound& bound, double tolerance, Monitor& monitor)
 {
   const ProgressRange progress = { Stages::Refining, 0, 0.05 };
-  SurfaceBound bound(mesh, facets, SurfaceTreatment::Remeshed, tolerance);
   Id count = 0;
   for (int round = 0; round < MostRounds; ++round)
   {
@@ -103,36 +76,5 @@ Id MendNeedles(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets,
     }
   }
   return count;
-}
-
-double LargestChange(const TetrahedralMesh& before, const std::vector<Id>& regions,
-  const RefinableMesh& after, const std::vector<FacetOfInput>& facets)
-{
-  std::array<std::map<Id, double>, 2> areas;
-  for (const FacetOfInput& facet : facets)
-  {
-    const auto& [a, b, c] = facet.Corners;
-    areas[0][facet.Label] += Length(NormalOf(a, b, c));
-  }
-  for (const SurfacePiece& piece : PiecesOf(after))
-  {
-    areas[1][facets[piece.Facet].Label] += Length(NormalOf(piece));
-  }
-  std::array<std::map<Id, double>, 2> volumes;
-  const auto volumeOf = [](const std::array<Point, 4>& c)
-  { return Determinant(Difference(c[1], c[0]), Difference(c[2], c[0]), Difference(c[3], c[0])); };
-  for (Id c = 0; c < before.NumberOfCells(); ++c)
-  {
-    volumes[0][regions.empty() ? 0 : regions[c]] +=
-      volumeOf(CornersOf(before.Points, before.Cells[c]));
-  }
-  for (Id c = 0; c < after.NumberOfCells(); ++c)
-  {
-    if (!after.IsDead(c))
-    {
-      volumes[1][after.Cell(c).Region] += volumeOf(CornersOf(after.Points, after.Cell(c).Corners));
-    }
-  }
-  return std::max(LargestChange(areas[0], areas[1]), LargestChange(volumes[0], volumes[1]));
 }
 } // namespace insideout

@@ -91,6 +91,9 @@ public:
   /** The cells around a point, and their opposite faces, counter-clockwise seen from it. */
   void StarWithWalls(Id point, std::vector<Id>& cells, std::vector<Triangle>& walls) const;
 
+  /** Set the cell from which a pinched point's star is found, after its cell was removed. */
+  void SetCellAt(Id point, Id cell) { this->CellOf[point] = cell; }
+
   /** Mesh::Replace for cells of one region, without facets within. */
   void Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh);
 

@@ -17,6 +17,7 @@
 #include "Refine/LocateCells.h"
 #include "Refine/MakeRefinable.h"
 #include "Refine/MendNeedles.h"
+#include "Refine/MendRefusedCells.h"
 #include "Refine/RefinedSurface.h"
 #include "Refine/RemeshPieces.h"
 #include "Refine/RemeshSurface.h"
@@ -28,6 +29,7 @@
 #include <functional>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -40,6 +42,9 @@ constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 
 /** Memory per cell, measured on nine surfaces. */
 constexpr double GibibytesOfCell = 4e-7;
+
+/** In any unit: cells with shorter edges are refused by a solver, or nearly so (IsRefused). */
+constexpr double EdgeOfSmallestCell = 4e-7;
 
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are then scaled. */
 constexpr int LargestOrdinaryExponent = 60;
@@ -150,7 +155,8 @@ struct SurfaceOfRun
   std::vector<FacetOfInput> Facets;
   std::vector<char> Locked; ///< facets that stay as they are
   double Tolerance;
-  Id MendedNeedles = 0; ///< contracted or flipped
+  bool MayBeFit;        ///< whether a solver accepts cells far smaller than the solid
+  Id MendedNeedles = 0; ///< changes
 
   Id NumberOfLocked() const
   {
@@ -196,15 +202,19 @@ void PutInPatches(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets)
 bool Run(RefinableMesh& refinable, const std::vector<Id>& regions, SurfaceOfRun& run,
   const RefinementParameters& parameters, bool mayFill, Monitor& monitor)
 {
+  std::optional<SurfaceBudget> budget;
   if (parameters.MendsSurface)
   {
-    run.MendedNeedles = MendNeedles(refinable, run.Facets, run.Locked, run.Tolerance, monitor);
-    if (run.MendedNeedles == 0)
-    {
-      return true; // the cells would be those of a kept surface
-    }
+    budget.emplace(refinable, run.Facets);
   }
-  SurfaceBound bound(refinable, run.Facets, parameters.Surface, run.Tolerance);
+  SurfaceBound bound(refinable, run.Facets,
+    parameters.MendsSurface ? SurfaceTreatment::Remeshed : parameters.Surface, run.Tolerance,
+    budget ? &*budget : nullptr);
+  if (parameters.MendsSurface)
+  {
+    run.MendedNeedles =
+      MendNeedles(refinable, run.Facets, run.Locked, bound, run.Tolerance, monitor);
+  }
   const auto surfaceNow = [&]
   {
     return RefinableSurface(
@@ -252,6 +262,22 @@ bool Run(RefinableMesh& refinable, const std::vector<Id>& regions, SurfaceOfRun&
   FillWithPoints(refinable, sizes, parameters.Sizes.MaximumVolume, parameters.Surface, monitor,
     { Stages::Refining, 0.2, 0.4 });
   ImproveCells(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.4, 0.9 });
+  const auto mend = [&](RefinableSurface& there, bool mayChange)
+  {
+    return run.MayBeFit ? MendRefusedCells(refinable, there, bound, run.Tolerance, mayChange,
+                            monitor, { Stages::Refining, 0.9, 0.9 })
+                        : 0;
+  };
+  if (parameters.MendsSurface)
+  {
+    RefinableSurface mended(
+      refinable, run.Facets, run.Locked, SurfaceTreatment::Remeshed, parameters.FeatureAngle);
+    run.MendedNeedles += mend(mended, true);
+  }
+  else
+  {
+    mend(surface, parameters.Surface == SurfaceTreatment::Remeshed);
+  }
   return true;
 }
 
@@ -348,14 +374,15 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
 {
   ForwardMonitor monitor(caller);
   const bool isSplit = given.Surface == SurfaceTreatment::Split;
+  const Box box = BoundingBox(mesh.Points);
+  const double size = box.Extent(box.LongestAxis());
+  const double usual = RefinementParameters::DefaultTolerance * size;
   SurfaceOfRun run = { FacetsOf(mesh, regions, isSplit ? given.Attributes : given.Labels), {},
-    given.SurfaceTolerance };
-  if (!(run.Tolerance > 0) || given.MendsSurface)
+    given.SurfaceTolerance > 0 ? given.SurfaceTolerance : usual, EdgeOfSmallestCell <= usual };
+  if (given.MendsSurface)
   {
-    const Box box = BoundingBox(mesh.Points);
-    run.Tolerance = (given.MendsSurface ? RefinementParameters::MendingTolerance
-                                        : RefinementParameters::DefaultTolerance) *
-      box.Extent(box.LongestAxis());
+    const double least = RefinementParameters::MendingTolerance * size;
+    run.Tolerance = run.MayBeFit ? std::max(least, EdgeOfSmallestCell) : least;
   }
   monitor.Check(Stages::Refining, 0);
   RefinementParameters parameters = given;
@@ -401,7 +428,6 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   }
   if (parameters.MendsSurface)
   {
-    result.LargestChange = LargestChange(mesh, regions, refinable, run.Facets);
     result.Statistics.emplace_back("MendedNeedles", run.MendedNeedles);
     result.Statistics.emplace_back("SurfaceTolerance", run.Tolerance);
   }

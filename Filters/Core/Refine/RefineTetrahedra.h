@@ -25,10 +25,10 @@ struct RefinementParameters
   bool TreatsNeedles = false;
 
   /**
-   * Kept, but for needles of its triangles: edges that are shorter than MendingTolerance times the
-   * longest edge of the points' bounding box are contracted, and those opposite to as small heights
-   * flipped. The surface moves by no more, both ways. If there are none (MendedNeedles is 0),
-   * nothing is refined.
+   * Kept, but for needles of its triangles and for flat cells at it (MendNeedles,
+   * MendRefusedCells). The surface moves, both ways, by at most MendingTolerance times the longest
+   * edge of the points' bounding box, or by the edge of the smallest cell that a solver accepts.
+   * Areas by label and volumes by region stay (SurfaceBudget).
    */
   bool MendsSurface = false;
   static constexpr double MendingTolerance = 1e-6; // STL's decimals and floats are as coarse
@@ -87,9 +87,6 @@ struct RefinedMesh
    */
   std::vector<double> LengthsByRules;
 
-  /** MendsSurface: the largest relative change of the area of a label, or of a region's volume. */
-  double LargestChange = 0;
-
   insideout::Statistics Statistics;
 };
 
@@ -104,7 +101,7 @@ struct RefinedMesh
  * surface is not kept: SurfacePoints, the added points on it, and KeptFacets, the facets that stay
  * because they cross others. If it is remeshed: SurfaceTolerance, SurfaceDistance, its largest
  * distance from the input's, and InputDistance, the reverse. If it is mended: SurfaceTolerance and
- * MendedNeedles, the edges that were contracted or flipped for them.
+ * MendedNeedles, the number of changes.
  *
  * @param[in] mesh of any solid; its facets do not matter
  * @param[in] regions one per cell; empty: all are one

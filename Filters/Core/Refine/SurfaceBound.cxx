@@ -47,9 +47,10 @@ std::vector<LabelledTriangle> TrianglesOf(const std::vector<FacetOfInput>& facet
 }
 
 SurfaceBound::SurfaceBound(const RefinableMesh& mesh, const std::vector<FacetOfInput>& facets,
-  SurfaceTreatment treatment, double tolerance)
+  SurfaceTreatment treatment, double tolerance, SurfaceBudget* budget)
   : Facets(facets)
   , Tolerance(tolerance)
+  , Budget(budget)
   , WatchesAll(treatment == SurfaceTreatment::Remeshed)
   , Boundary(this->Watched(PiecesOf(mesh)))
 {
@@ -205,11 +206,16 @@ bool SurfaceBound::Accepts(
 {
   this->Gone = gone;
   this->Fresh = fresh;
-  return this->Boundary.StayApart(this->Watched(gone), this->Watched(fresh));
+  return (!this->Budget || this->Budget->Allows(gone, fresh)) &&
+    this->Boundary.StayApart(this->Watched(gone), this->Watched(fresh));
 }
 
 void SurfaceBound::Replace()
 {
+  if (this->Budget)
+  {
+    this->Budget->Replace();
+  }
   for (const SurfacePiece& piece : this->Gone)
   {
     this->AtPieces.erase(KeyOf(piece.Corners));

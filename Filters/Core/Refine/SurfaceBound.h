@@ -4,6 +4,7 @@
 #include "Common/SortedTriangle.h"
 #include "Refine/BoundaryPieces.h"
 #include "Refine/RefinableSurface.h"
+#include "Refine/SurfaceBudget.h"
 #include "Refine/TriangleTree.h"
 
 #include <memory>
@@ -50,9 +51,12 @@ std::vector<LabelledTriangle> TrianglesOf(const std::vector<FacetOfInput>& facet
 class SurfaceBound
 {
 public:
-  /** @param[in] tolerance positive if the surface is remeshed */
+  /**
+   * @param[in] tolerance positive if the surface is remeshed
+   * @param[in] budget of areas and volumes; null: none
+   */
   SurfaceBound(const RefinableMesh& mesh, const std::vector<FacetOfInput>& facets,
-    SurfaceTreatment treatment, double tolerance);
+    SurfaceTreatment treatment, double tolerance, SurfaceBudget* budget = nullptr);
 
   /**
    * Whether fresh pieces may replace others: they cross none, keep the orientation, and, if the
@@ -101,6 +105,7 @@ private:
 
   const std::vector<FacetOfInput>& Facets;
   double Tolerance;
+  SurfaceBudget* Budget;
   bool WatchesAll; ///< pieces between regions, too: a remeshed surface has no cells that do
   BoundaryPieces Boundary;
   std::unique_ptr<TriangleTree> Input; ///< if the surface is remeshed

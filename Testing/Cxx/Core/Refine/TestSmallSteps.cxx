@@ -145,7 +145,6 @@ TEST(SmallSteps, GoWhereTheSurfaceIsMendedAndTheRestStays)
   const RefinedMesh refined = Refined(block, parameters);
   ExpectRemeshingLaws(block, {}, refined, RefinementParameters::MendingTolerance * 100 * Size);
   EXPECT_GT(ShortestEdge(refined), 1);
-  EXPECT_LT(refined.LargestChange, 1e-6);
   for (std::size_t c = 0; c < refined.Cells.size(); ++c)
   {
     for (int k = 0; k < 4; ++k)
@@ -158,7 +157,7 @@ TEST(SmallSteps, GoWhereTheSurfaceIsMendedAndTheRestStays)
   }
 }
 
-TEST(SmallSteps, ThatTakeALabelsAreaAlongAreTold)
+TEST(SmallSteps, ThatWouldTakeALabelsAreaAlongStayWhereTheSurfaceIsMended)
 {
   const TetrahedralMesh block = BlockWithStep(1e-5);
   RefinementParameters parameters = RemeshedWithLabelOfStep(block);
@@ -166,15 +165,5 @@ TEST(SmallSteps, ThatTakeALabelsAreaAlongAreTold)
   parameters.MendsSurface = true;
   parameters.Sizes.EdgeLength = 0;
   const RefinedMesh refined = Refined(block, parameters);
-  EXPECT_GT(refined.LargestChange, 0.1);
-}
-
-TEST(SmallSteps, NothingIsRefinedWhereNoNeedleIsMended)
-{
-  const TetrahedralMesh block = BlockWithStep(1e-3);
-  RefinementParameters parameters;
-  parameters.MendsSurface = true;
-  const RefinedMesh refined = Refined(block, parameters);
-  EXPECT_EQ(refined.Cells.size(), block.Cells.size());
-  EXPECT_EQ(refined.LargestChange, 0);
+  EXPECT_LT(ShortestEdge(refined), 2e-5);
 }

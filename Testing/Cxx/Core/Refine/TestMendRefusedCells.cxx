@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Common/RawTetrahedra.h"
+#include "Common/Stages.h"
+#include "Common/Vectors.h"
+#include "GraphCut/ConnectCells.h"
+#include "Quality/SolverFitness.h"
+#include "Refine/MakeRefinable.h"
+#include "Refine/MendRefusedCells.h"
+#include "Refine/RefineTetrahedra.h"
+#include "Support/RefinementLaws.h"
+#include "Support/TestTetrahedra.h"
+#include "Tetrahedralize/DelaunayOfPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace insideout;
+using testmeshes::ExpectRefinementLaws;
+using testmeshes::ExpectRemeshingLaws;
+using testtetrahedra::EvenGrid;
+
+namespace
+{
+constexpr double Size = 200;
+constexpr double Low = 1e-25; ///< a cell 100 wide and as low as this is refused
+constexpr Point Apex = { { 50, -Low, Low } };
+
+/** A block whose top is at z = 0. */
+TetrahedralMesh Block()
+{
+  TetrahedralMesh block = EvenGrid(2);
+  for (Point& p : block.Points)
+  {
+    p[2] -= Size;
+  }
+  return block;
+}
+
+Id At(const TetrahedralMesh& mesh, const Point& place)
+{
+  return static_cast<Id>(
+    std::find(mesh.Points.begin(), mesh.Points.end(), place) - mesh.Points.begin());
+}
+
+/** The block, and a flat cell beside it. */
+TetrahedralMesh BlockAndFlatCell()
+{
+  TetrahedralMesh block = Block();
+  const auto first = static_cast<Id>(block.Points.size());
+  block.Points.insert(block.Points.end(),
+    { { { 300, 0, 0 } }, { { 400, 0, 0 } }, { { 300, 100, 0 } }, { { 320, 20, Low } } });
+  block.Cells.push_back({ { first, first + 1, first + 2, first + 3 } });
+  return ConnectCells(block.Points, block.Cells);
+}
+
+/** The block with a flat cell on a triangle at its rim. The apex is beyond the rim, so that no
+ * other cells fill the space, and perhaps a corner of a cell above. */
+TetrahedralMesh BlockWithSpike(bool isPinched)
+{
+  TetrahedralMesh block = Block();
+  const auto apex = static_cast<Id>(block.Points.size());
+  block.Points.push_back(Apex);
+  block.Cells.push_back({ { apex, At(block, { { 0, 0, 0 } }), At(block, { { 100, 0, 0 } }),
+    At(block, { { 100, 100, 0 } }) } });
+  if (isPinched)
+  {
+    block.Points.insert(
+      block.Points.end(), { { { 40, 30, 50 } }, { { 80, 20, 50 } }, { { 60, 60, 50 } } });
+    block.Cells.push_back({ { apex, apex + 1, apex + 2, apex + 3 } });
+  }
+  return ConnectCells(block.Points, block.Cells);
+}
+
+/** A cube in which a triangle replaces a corner. */
+TetrahedralMesh CubeWithTinyTriangle(double edge, double cut)
+{
+  std::vector<Point> points = { { { cut, 0, 0 } }, { { 0, cut, 0 } }, { { 0, 0, cut } } };
+  for (int k = 1; k < 8; ++k)
+  {
+    points.push_back({ { k & 1 ? edge : 0, k & 2 ? edge : 0, k & 4 ? edge : 0 } });
+  }
+  Monitor monitor;
+  return ConnectCells(points, DelaunayOfPoints(points, 100, monitor).Cells);
+}
+
+RefinedMesh Refined(const TetrahedralMesh& mesh, bool mends)
+{
+  RefinementParameters parameters;
+  parameters.MendsSurface = mends;
+  Monitor monitor;
+  return RefineTetrahedra(mesh, {}, parameters, monitor);
+}
+
+std::ptrdiff_t CountRefused(const RefinedMesh& mesh)
+{
+  return std::count_if(mesh.Cells.begin(), mesh.Cells.end(),
+    [&mesh](const Tetrahedron& cell) { return IsRefused(CornersOf(mesh.Points, cell)); });
+}
+} // namespace
+
+TEST(MendRefusedCells, CornersOfAFlatPartMoveAsLittleAsSuffices)
+{
+  const TetrahedralMesh block = BlockAndFlatCell();
+  EXPECT_EQ(CountRefused(Refined(block, false)), 1);
+  const RefinedMesh mended = Refined(block, true);
+  EXPECT_EQ(CountRefused(mended), 0);
+  ExpectRemeshingLaws(block, {}, mended, 1e-6);
+}
+
+TEST(MendRefusedCells, AFlatSpikeGoesThoughItsApexMayBeACornerOfOtherCells)
+{
+  for (const bool isPinched : { false, true })
+  {
+    const TetrahedralMesh block = BlockWithSpike(isPinched);
+    const std::vector<FacetOfInput> facets = FacetsOf(block, {}, {});
+    RefinableMesh mesh = MakeRefinable(block, {}, facets);
+    SurfaceBound bound(mesh, facets, SurfaceTreatment::Remeshed, 1e-6);
+    const std::vector<char> locked;
+    RefinableSurface surface(mesh, facets, locked, SurfaceTreatment::Remeshed, 30);
+    Monitor monitor;
+    EXPECT_EQ(
+      MendRefusedCells(mesh, surface, bound, 1e-6, true, monitor, { Stages::Refining, 0, 1 }), 1);
+    const Id apex = At(block, Apex);
+    EXPECT_EQ(mesh.Points[apex], Apex);
+    EXPECT_EQ(mesh.CellAt(apex) != None, isPinched);
+    Id count = 0;
+    for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+    {
+      EXPECT_TRUE(mesh.IsDead(cell) || !IsRefused(CornersOf(mesh.Points, mesh.Cell(cell).Corners)));
+      count += mesh.IsDead(cell) ? 0 : 1;
+    }
+    EXPECT_EQ(count, block.NumberOfCells() - 1);
+  }
+}
+
+TEST(MendRefusedCells, InnerCellsAtATinyTriangleAreLargeEnough)
+{
+  const TetrahedralMesh cube = CubeWithTinyTriangle(1e-2, 1e-7);
+  const RefinedMesh refined = Refined(cube, false);
+  EXPECT_EQ(CountRefused(refined), 0);
+  ExpectRefinementLaws(cube, {}, refined);
+}
+
+TEST(MendRefusedCells, NothingIsMendedWhereTheSolidIsTooSmallForAnySolver)
+{
+  const double scale = std::ldexp(1, -20);
+  const TetrahedralMesh cube = CubeWithTinyTriangle(1, 1e-2);
+  TetrahedralMesh small = cube;
+  for (Point& p : small.Points)
+  {
+    p = { { scale * p[0], scale * p[1], scale * p[2] } };
+  }
+  const RefinedMesh refined = Refined(small, false);
+  EXPECT_GT(CountRefused(refined), 0);
+  EXPECT_EQ(refined.Cells, Refined(cube, false).Cells);
+}
