@@ -60,9 +60,7 @@ public:
       for (const Id cell : this->RefusedCells())
       {
         this->Changes += this->ContractEdges(cell);
-        this->Changes +=
-          this->IsRefusedCell(cell) && (this->RemoveSpike(cell) || this->TurnDiagonal(cell)) ? 1
-                                                                                             : 0;
+        this->Changes += this->IsRefusedCell(cell) && this->RemoveSpike(cell) ? 1 : 0;
       }
     }
     const std::vector<Id> cells = this->RefusedCells();
@@ -256,21 +254,6 @@ private:
         return;
       }
     }
-  }
-
-  /** Remove a cell with two faces on the boundary. */
-  bool TurnDiagonal(Id cell)
-  {
-    const RefinableCell& here = this->Mesh.Cell(cell);
-    for (const auto& [i, j] : TetrahedronEdges)
-    {
-      if (here.Neighbors[i] == None && here.Neighbors[j] == None)
-      {
-        const auto [k, l] = OtherCorners[i][j];
-        return this->Reconnect.RemoveEdgeUnlessWorse(here.Corners[k], here.Corners[l], cell, 0);
-      }
-    }
-    return false;
   }
 
   /** The cells at all corners of some cells: also those that a pinched corner's star lacks. */

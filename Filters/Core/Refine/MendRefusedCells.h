@@ -11,7 +11,7 @@ namespace insideout
 /**
  * Mend cells that a solver refuses (IsRefused), whose shape no other step improves. Inner corners
  * are contracted into neighbors, which makes larger cells. Short edges of the surface are
- * contracted, cells between two or three of its faces removed. Corners move away from the opposite
+ * contracted, cells with three faces on the boundary removed. Corners move away from the opposite
  * face, as little as suffices.
  *
  * @param[in] bound of a remeshed surface, if that may change

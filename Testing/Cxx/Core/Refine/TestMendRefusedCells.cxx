@@ -19,7 +19,9 @@
 using namespace insideout;
 using testmeshes::ExpectRefinementLaws;
 using testmeshes::ExpectRemeshingLaws;
+using testtetrahedra::Cubes;
 using testtetrahedra::EvenGrid;
+using testtetrahedra::Part;
 
 namespace
 {
@@ -93,6 +95,48 @@ RefinedMesh Refined(const TetrahedralMesh& mesh, bool mends)
   return RefineTetrahedra(mesh, {}, parameters, monitor);
 }
 
+/** MendRefusedCells alone. */
+struct MendingOf
+{
+  explicit MendingOf(const TetrahedralMesh& input)
+    : Facets(FacetsOf(input, {}, {}))
+    , Mesh(MakeRefinable(input, {}, this->Facets))
+  {
+    SurfaceBound bound(this->Mesh, this->Facets, SurfaceTreatment::Remeshed, 1e-6);
+    const std::vector<char> locked;
+    RefinableSurface surface(this->Mesh, this->Facets, locked, SurfaceTreatment::Remeshed, 30);
+    Monitor monitor;
+    this->Changes =
+      MendRefusedCells(this->Mesh, surface, bound, 1e-6, true, monitor, { Stages::Refining, 0, 1 });
+  }
+
+  template <class Predicate>
+  Id Count(const Predicate& isCounted) const
+  {
+    Id count = 0;
+    for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
+    {
+      count += !this->Mesh.IsDead(cell) && isCounted(this->Mesh.Cell(cell).Corners) ? 1 : 0;
+    }
+    return count;
+  }
+
+  Id CountCells() const
+  {
+    return this->Count([](const Tetrahedron&) { return true; });
+  }
+
+  Id CountRefusedCells() const
+  {
+    return this->Count([this](const Tetrahedron& corners)
+      { return IsRefused(CornersOf(this->Mesh.Points, corners)); });
+  }
+
+  std::vector<FacetOfInput> Facets;
+  RefinableMesh Mesh;
+  Id Changes;
+};
+
 std::ptrdiff_t CountRefused(const RefinedMesh& mesh)
 {
   return std::count_if(mesh.Cells.begin(), mesh.Cells.end(),
@@ -114,25 +158,33 @@ TEST(MendRefusedCells, AFlatSpikeGoesThoughItsApexMayBeACornerOfOtherCells)
   for (const bool isPinched : { false, true })
   {
     const TetrahedralMesh block = BlockWithSpike(isPinched);
-    const std::vector<FacetOfInput> facets = FacetsOf(block, {}, {});
-    RefinableMesh mesh = MakeRefinable(block, {}, facets);
-    SurfaceBound bound(mesh, facets, SurfaceTreatment::Remeshed, 1e-6);
-    const std::vector<char> locked;
-    RefinableSurface surface(mesh, facets, locked, SurfaceTreatment::Remeshed, 30);
-    Monitor monitor;
-    EXPECT_EQ(
-      MendRefusedCells(mesh, surface, bound, 1e-6, true, monitor, { Stages::Refining, 0, 1 }), 1);
+    MendingOf mending(block);
+    EXPECT_EQ(mending.Changes, 1);
     const Id apex = At(block, Apex);
-    EXPECT_EQ(mesh.Points[apex], Apex);
-    EXPECT_EQ(mesh.CellAt(apex) != None, isPinched);
-    Id count = 0;
-    for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-    {
-      EXPECT_TRUE(mesh.IsDead(cell) || !IsRefused(CornersOf(mesh.Points, mesh.Cell(cell).Corners)));
-      count += mesh.IsDead(cell) ? 0 : 1;
-    }
-    EXPECT_EQ(count, block.NumberOfCells() - 1);
+    EXPECT_EQ(mending.Mesh.Points[apex], Apex);
+    EXPECT_EQ(mending.Mesh.CellAt(apex) != None, isPinched);
+    EXPECT_EQ(mending.CountCells(), block.NumberOfCells() - 1);
+    EXPECT_EQ(mending.CountRefusedCells(), 0);
   }
+}
+
+TEST(MendRefusedCells, ALowStepIsContracted)
+{
+  TetrahedralMesh block = EvenGrid(2);
+  block = Part(block, Cubes(block, [](int x, int, int z) { return x == 0 || z == 0; }));
+  for (Point& p : block.Points)
+  {
+    p[2] = p[2] == Size ? Low : p[2] - 100;
+  }
+  MendingOf mending(block);
+  EXPECT_GT(mending.Changes, 0);
+  EXPECT_EQ(mending.CountRefusedCells(), 0);
+  Id count = 0;
+  for (Id p = 0; p < static_cast<Id>(block.Points.size()); ++p)
+  {
+    count += mending.Mesh.CellAt(p) != None && std::abs(mending.Mesh.Points[p][2]) < 1e-6 ? 1 : 0;
+  }
+  EXPECT_LT(count, 15) << "as many as before";
 }
 
 TEST(MendRefusedCells, InnerCellsAtATinyTriangleAreLargeEnough)
