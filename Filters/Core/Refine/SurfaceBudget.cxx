@@ -14,7 +14,8 @@ namespace
 /** Share in the sum of all: a smaller sum is compared with it, as a rounding error. */
 constexpr double LeastShare = 1e-9;
 
-/** A change of a region's volume by that of the smallest cell that a solver accepts, times 6. */
+/** About six times the volume of the smallest cell that a solver accepts: smaller changes of
+ * regions that are rounding errors do not count. */
 constexpr double LeastCell = 8 * SmallestJacobian;
 } // namespace
 
@@ -61,15 +62,20 @@ void SurfaceBudget::Add(const std::vector<SurfacePiece>& pieces, double sign, co
   }
 }
 
+/** @param[in] least change that is too small to count for a sum that is a rounding error */
 bool SurfaceBudget::StayWithin(const Sums& sums, double all, const Changes& changes, double least)
 {
+  const auto mayChangeBy = [&](double before)
+  {
+    return before > LeastShare * all ? LargestChange * before
+                                     : std::max(least, LargestChange * LeastShare * all);
+  };
   return std::all_of(changes.begin(), changes.end(),
     [&](const auto& change)
     {
       const auto found = sums.find(change.first);
       return found == sums.end() || // outside
-        std::abs(found->second.Change + change.second) <=
-        std::max(least, LargestChange * std::max(found->second.Before, LeastShare * all));
+        std::abs(found->second.Change + change.second) <= mayChangeBy(found->second.Before);
     });
 }
 

@@ -12,7 +12,8 @@ namespace insideout
 {
 /**
  * Bounds the relative change of each label's area and of each region's volume while a surface
- * changes. Those below 1e-9 of the sum of all are rounding errors, and compared with that.
+ * changes. Those below 1e-9 of the sum of all are rounding errors, and compared with that; such
+ * volumes may also change by that of the smallest cell that a solver accepts.
  */
 class SurfaceBudget
 {
