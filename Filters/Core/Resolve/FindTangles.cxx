@@ -101,7 +101,10 @@ void AddCrossings(const std::vector<NearCut>& cuts, int axis, std::vector<Point>
         {
           crossing[k] = r[k] + ofR / (ofR - ofS) * (s[k] - r[k]);
         }
-        crossings.push_back(crossing);
+        if (IsFinite(crossing)) // areas may have overflowed
+        {
+          crossings.push_back(crossing);
+        }
       }
     }
   }

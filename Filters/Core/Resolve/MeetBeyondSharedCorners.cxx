@@ -179,8 +179,7 @@ Estimate Along(const std::array<double, 3>& direction, const Point& origin, cons
 
 /**
  * Whether all corners of `b` lie certainly on one side of the plane of `a`.
- * This decides on most pairs of needles, whose boxes meet many others, before any predicate. NaN
- * after overflow compares as false, which is safe.
+ * This decides on most pairs of needles, whose boxes meet many others, before any predicate.
  */
 bool ClearlyOnOneSide(const CornersInPlace& a, const CornersInPlace& b)
 {
@@ -205,7 +204,7 @@ bool ClearlyOnOneSide(const CornersInPlace& a, const CornersInPlace& b)
       error += normal[k].Error * std::abs(along);
     }
     const int here = (height > error) - (height < -error);
-    if (here == 0 || here == -side)
+    if (!std::isfinite(height) || here == 0 || here == -side) // the sum may have overflowed
     {
       return false;
     }

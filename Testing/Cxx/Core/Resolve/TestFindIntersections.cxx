@@ -244,3 +244,19 @@ TEST(FindIntersections, CanBeStopped)
     }
   }
 }
+
+TEST(FindIntersections, FindsTrianglesWhoseVolumesOverflow)
+{
+  // The second triangle's first corner is below the plane x + y + z = 1e103 of the first one, but a
+  // sum of products in doubles is infinite there.
+  const double s = 1e103;
+  const auto at = [s](double x, double y, double z) -> Point {
+    return { { s + 0.1 * s * x, 0.1 * s * y, 0.1 * s * z } };
+  };
+  const std::vector<Point> points = { { { s, 0, 0 } }, { { 0, s, 0 } }, { { 0, 0, s } },
+    at(1.81, -0.91, -0.91), at(-1.79, 0.8975, 0.8975), at(-1.78, 0.88, 0.91) };
+  const std::vector<std::array<Id, 2>> pair = { { { 0, 1 } } };
+  Monitor monitor;
+  EXPECT_EQ(FindIntersections(points, { { { 0, 1, 2 } }, { { 3, 4, 5 } } }, monitor), pair);
+  EXPECT_EQ(FindIntersections(points, { { { 5, 4, 3 } }, { { 2, 1, 0 } } }, monitor), pair);
+}

@@ -195,6 +195,23 @@ TEST(FindTangles, JoinsThemInAPointThatIsThere)
     2 * Sides);
 }
 
+TEST(FindTangles, HaveFiniteCentersWhereAreasOverflow)
+{
+  for (const int exponent : { 511, 512 })
+  {
+    TriangleSoup soup = DoubleCone(Sides);
+    for (Point& p : soup.Points)
+    {
+      p = { std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent) };
+    }
+    for (const Tangle& tangle : TanglesOf(soup))
+    {
+      EXPECT_TRUE(IsFinite(tangle.Center)) << exponent;
+      EXPECT_LT(Length(tangle.Center), std::ldexp(1, exponent)) << exponent;
+    }
+  }
+}
+
 TEST(FindTangles, CanBeStopped)
 {
   class Stopper : public Monitor
