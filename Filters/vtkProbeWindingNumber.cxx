@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkProbeWindingNumber.h"
 
+#include "Common/PartMonitor.h"
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
@@ -8,9 +9,11 @@
 #include "In/Blocks.h"
 #include "In/FollowTime.h"
 #include "In/Partitions.h"
+#include "In/PieceOfInput.h"
 #include "In/ReadCurve.h"
 #include "In/WholeInput.h"
 #include "Out/MakeOutputs.h"
+#include "Probe/PiecesInTurn.h"
 #include "Probe/VisitPlaces.h"
 #include "Ranks/FailTogether.h"
 #include "Ranks/Gather.h"
@@ -37,6 +40,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 using namespace insideout;
 
@@ -83,6 +87,7 @@ void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
   os << indent << "AreaArrayName: " << this->AreaArrayName << "\n";
+  os << indent << "SurfacePieces: " << this->SurfacePieces << "\n";
   os << indent << "FacetsAtOnce: " << this->FacetsAtOnce << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }
@@ -156,10 +161,11 @@ int vtkProbeWindingNumber::RequestUpdateExtent(
   }
   if (vtkInformation* surface = inputVector[1]->GetInformationObject(0))
   {
+    inPieces = inPieces && this->SurfacePieces == 1;
     surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(),
       inPieces ? this->Controller->GetLocalProcessId() : 0);
     surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
-      inPieces ? this->Controller->GetNumberOfProcesses() : 1);
+      inPieces ? this->Controller->GetNumberOfProcesses() : this->SurfacePieces);
     surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return done;
@@ -231,11 +237,10 @@ Arrays AskWindingNumbers(vtkProbeWindingNumber* filter, vtkDataSet* input,
           for (std::size_t i = 0; i < values.size(); ++i)
           {
             const vtkIdType place = first + static_cast<vtkIdType>(i);
-            double value = values[i];
-            if (addsUp)
+            double value = turn.IsFirst ? values[i] : w[place] + values[i];
+            if (turn.IsClosed)
             {
-              const double sum = turn.IsFirst ? value : w[place] + value;
-              value = turn.IsLast ? surface.Rounded(sum) : sum;
+              value = SumOfClosed(value);
             }
             if (w)
             {
@@ -297,6 +302,57 @@ Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input,
     });
   return arrays;
 }
+
+/** The same of a surface whose pieces are requested one after the other. */
+Arrays AskInTurn(vtkProbeWindingNumber* filter, vtkDataSet* input,
+  const vtkInsideOut::SurfaceOptions& options, std::vector<std::string>& warnings)
+{
+  vtkInsideOut::AlgorithmMonitor monitor(filter, { Stages::WindingNumbers });
+  const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
+  vtkInsideOut::PiecesInTurn pieces(options, input, atPoints);
+  const int size = filter->GetSurfacePieces();
+  for (int k = 0; k < size; ++k)
+  {
+    const double begin = static_cast<double>(k) / size;
+    QuietMonitor ofPiece(monitor, { Stages::WindingNumbers, begin, begin });
+    std::vector<std::string> more;
+    pieces.Add(
+      vtkInsideOut::JoinSurfaces(vtkInsideOut::PieceOfInput(filter, 1, k, size)), ofPiece, more);
+    for (const std::string& warning : more)
+    {
+      warnings.push_back("piece " + std::to_string(k) + " of the surface: " + warning);
+    }
+  }
+  const vtkSmartPointer<vtkDoubleArray> w = pieces.Finish(monitor);
+  Arrays arrays;
+  if (filter->GetOutputWindingNumber())
+  {
+    arrays.emplace_back(w);
+  }
+  auto* inside = Add<vtkUnsignedCharArray>(arrays, "Inside", w->GetNumberOfValues());
+  for (vtkIdType i = 0; i < w->GetNumberOfValues(); ++i)
+  {
+    inside->SetValue(i, Mark(w->GetValue(i), filter->GetThreshold(), filter->GetInsideOut()));
+  }
+  return arrays;
+}
+
+/** The input with the arrays, the first of which is active. */
+void AddArrays(vtkProbeWindingNumber* filter, vtkDataSet* input, const Arrays& arrays,
+  vtkDataSet* output, std::vector<std::string>& warnings)
+{
+  output->ShallowCopy(input);
+  vtkDataSetAttributes* data = output->GetAttributes(
+    filter->GetAssociation() == vtkProbeWindingNumber::POINTS ? vtkDataObject::POINT
+                                                              : vtkDataObject::CELL);
+  for (const auto& array : arrays)
+  {
+    vtkInsideOut::Attributes::RenameArrays(
+      data, vtkInsideOut::Attributes::AreMadeHere(input), { array->GetName() }, warnings);
+    data->AddArray(array);
+  }
+  data->SetActiveScalars(arrays.front()->GetName()); // SetScalars would remove earlier arrays
+}
 } // namespace
 
 int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
@@ -306,11 +362,22 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
   const bool isPiece = inputVector[1]->GetInformationObject(0)->Get(
                          vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
-  vtkMultiProcessController* const together = isPiece ? this->Controller.Get() : nullptr;
+  const bool inTurn = this->SurfacePieces > 1;
+  vtkMultiProcessController* const together = isPiece && !inTurn ? this->Controller.Get() : nullptr;
   this->Last->Surface.reset();
   const auto work = [&]()
   {
     vtkInsideOut::WarnOfThreads(this);
+    std::vector<std::string> warnings;
+    const vtkInsideOut::SurfaceOptions options = ReadOptions(this);
+    if (inTurn)
+    {
+      AddArrays(this, input, AskInTurn(this, input, options, warnings), output, warnings);
+      vtkInsideOut::AddStatistics(
+        { { "SurfacePieces", static_cast<double>(this->SurfacePieces) } }, output);
+      vtkInsideOut::Warn(this, warnings);
+      return;
+    }
     const auto surface = vtkInsideOut::JoinSurfaces(vtkDataObject::GetData(inputVector[1]));
     std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
       Stages::WindingNumbers };
@@ -325,8 +392,6 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       stages.insert(stages.begin() + 1, { Stages::Resolving, Stages::Triangulating });
     }
     vtkInsideOut::AlgorithmMonitor monitor(this, stages);
-    std::vector<std::string> warnings;
-    const vtkInsideOut::SurfaceOptions options = ReadOptions(this);
     this->Last->Surface = together
       ? std::make_unique<vtkInsideOut::SurfaceChunks>(
           surface, options, this->FacetsAtOnce, together, monitor, warnings)
@@ -338,16 +403,7 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       const Arrays more = AskDistances(this, input, pieces, arrays.back(), monitor);
       arrays.insert(arrays.end(), more.begin(), more.end());
     }
-    output->ShallowCopy(input);
-    vtkDataSetAttributes* data = output->GetAttributes(
-      this->Association == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL);
-    for (const auto& array : arrays)
-    {
-      vtkInsideOut::Attributes::RenameArrays(
-        data, vtkInsideOut::Attributes::AreMadeHere(input), { array->GetName() }, warnings);
-      data->AddArray(array);
-    }
-    data->SetActiveScalars(arrays.front()->GetName()); // SetScalars would remove earlier arrays
+    AddArrays(this, input, arrays, output, warnings);
     if (together)
     {
       vtkInsideOut::AddStatistics(

@@ -217,6 +217,20 @@ public:
 
   ///@{
   /**
+   * Number of pieces in which the surface is requested, one after the other, so that a surface that
+   * does not fit in memory can be read from files. Default 1: the whole at once. Range 1 to
+   * infinity. Each piece is validated by itself, so Orientation has to be AS_GIVEN or REVERSE, and
+   * MergeTolerance and Distance are errors above 1. The array w is the same as that of the whole
+   * surface, where the pieces contain its polygons in sequence and CountDuplicates is the same for
+   * both; on the surface up to rounding. Only polygons count. Open edges of the pieces stay in
+   * memory. A source that makes no pieces is an error; vtkXMLPPolyDataReader makes them.
+   */
+  vtkInsideOutSetRangeMacro(SurfacePieces, int, 1, VTK_INT_MAX);
+  vtkGetMacro(SurfacePieces, int);
+  ///@}
+
+  ///@{
+  /**
    * Largest number of the surface's facets that each of several processes (MPI) holds at once.
    * Fewer take less memory, some 400 bytes per facet, and more time. Default 4194304. Range 1 to
    * infinity. A larger surface is cut into chunks of at most this size, which all processes visit
@@ -264,6 +278,7 @@ protected:
   int ApproximationOrder;
   double Accuracy;
   std::string AreaArrayName;
+  int SurfacePieces = 1;
   int FacetsAtOnce = 1 << 22;
   vtkSmartPointer<vtkMultiProcessController> Controller;
 

@@ -103,9 +103,9 @@ InputWindingNumber::InputWindingNumber(vtkPolyData* input, const SurfaceOptions&
 }
 
 InputWindingNumber::InputWindingNumber(
-  const SurfaceChunk& piece, const SurfaceOptions& options, insideout::Monitor& monitor)
+  const insideout::CountedPiece& piece, const SurfaceOptions& options, insideout::Monitor& monitor)
   : Surface(std::make_unique<const insideout::SurfaceWindingNumber>(
-      piece.Surface, options.WindingNumber, monitor))
+      piece.Surface, piece.Boundary, options.WindingNumber, monitor))
 {
 }
 

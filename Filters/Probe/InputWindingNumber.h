@@ -33,7 +33,7 @@ struct NearestPoint : insideout::SurfaceDistance::Nearest
   vtkIdType Cell; ///< cell of the input; -1 if the place is not finite
 };
 
-/** A chunk of a surface. */
+/** A chunk of a surface: facets of the whole, then caps. */
 struct SurfaceChunk : insideout::CountedPiece
 {
   std::vector<vtkIdType> Cells; ///< input cell per facet; empty if no distance is wanted
@@ -75,9 +75,9 @@ public:
   InputWindingNumber(vtkPolyData* input, const SurfaceOptions& options, insideout::Monitor& monitor,
     std::vector<std::string>& warnings);
 
-  /** For a chunk, without its distance. */
-  InputWindingNumber(
-    const SurfaceChunk& piece, const SurfaceOptions& options, insideout::Monitor& monitor);
+  /** For a piece with its boundary, without its distance. */
+  InputWindingNumber(const insideout::CountedPiece& piece, const SurfaceOptions& options,
+    insideout::Monitor& monitor);
 
   /** The distance of a chunk only. @param exponent that of the whole surface's points */
   InputWindingNumber(const SurfaceChunk& piece, int exponent);

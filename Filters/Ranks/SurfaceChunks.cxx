@@ -6,7 +6,7 @@
 #include "In/ReadCurve.h"
 #include "Ranks/Gather.h"
 #include "Ranks/Together.h"
-#include "WindingNumber/CountedBoundary.h"
+#include "WindingNumber/ClosePieces.h"
 
 #include <vtkCellArray.h>
 #include <vtkMultiProcessController.h>
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace vtkInsideOut
 {
@@ -23,9 +22,6 @@ using insideout::Monitor;
 
 namespace
 {
-// Winding numbers of chunks are right to 1e-14 or so, and sums of many to no less than this.
-constexpr double RoundingOfSums = 1e-12;
-
 // Limit of a broadcast: MPI counts its bytes in 32 bits.
 constexpr std::size_t MostBytesAtOnce = std::size_t(1) << 30;
 
@@ -77,11 +73,11 @@ SurfaceChunks::SurfaceChunks(vtkPolyData* piece, const SurfaceOptions& options, 
         this->Cut(gathered, facetsAtOnce, monitor, warnings);
       }
     });
-  std::array<int, 3> known = { this->NumberOfPieces, this->Exponent, this->IsClosed };
+  std::array<int, 3> known = { this->NumberOfPieces, this->NumberOfTurns, this->Exponent };
   together->Broadcast(known.data(), static_cast<vtkIdType>(known.size()), 0);
   this->NumberOfPieces = known[0];
-  this->Exponent = known[1];
-  this->IsClosed = known[2];
+  this->NumberOfTurns = known[1];
+  this->Exponent = known[2];
 }
 
 bool SurfaceChunks::IsFirstRank() const
@@ -100,8 +96,7 @@ void SurfaceChunks::Cut(
   const Facets facets(surface, this->Options, monitor, warnings);
   const insideout::FacetComplex& whole = facets.Surface;
   this->Exponent = insideout::LargestExponent(whole.Points);
-  this->IsClosed =
-    CountedBoundary(insideout::CountedFacets(whole), static_cast<Id>(whole.Points.size())).empty();
+  insideout::ClosePieces pieces;
   for (insideout::CountedPiece& cut : CutIntoPieces(whole, facetsAtOnce, monitor))
   {
     SurfaceChunk piece = { std::move(cut), {} };
@@ -112,9 +107,15 @@ void SurfaceChunks::Cut(
         piece.Cells.push_back(facets.Cells[facet]);
       }
     }
+    pieces.Close(piece.Surface);
     this->Pieces.push_back(std::move(piece));
   }
   this->NumberOfPieces = static_cast<int>(this->Pieces.size());
+  for (insideout::CountedPiece& rest : pieces.Rest())
+  {
+    this->Pieces.push_back({ std::move(rest), {} });
+  }
+  this->NumberOfTurns = static_cast<int>(this->Pieces.size());
 }
 
 /** Broadcast from the first rank to all. */
@@ -123,7 +124,7 @@ void SurfaceChunks::Broadcast(SurfaceChunk& piece) const
   insideout::FacetComplex& surface = piece.Surface;
   std::vector<vtkIdType> sizes = { static_cast<vtkIdType>(surface.Points.size()),
     static_cast<vtkIdType>(surface.Facets.size()), static_cast<vtkIdType>(piece.WholeFacets.size()),
-    static_cast<vtkIdType>(piece.Cells.size()) };
+    static_cast<vtkIdType>(piece.Cells.size()), static_cast<vtkIdType>(piece.Boundary.size()) };
   BroadcastValues(sizes, this->Together);
   vtkInsideOut::DoTogether(this->Together,
     [&]()
@@ -133,27 +134,28 @@ void SurfaceChunks::Broadcast(SurfaceChunk& piece) const
       surface.Multiplicity.resize(sizes[1]);
       piece.WholeFacets.resize(sizes[2]);
       piece.Cells.resize(sizes[3]);
+      piece.Boundary.resize(sizes[4]);
     });
   BroadcastValues(surface.Points, this->Together);
   BroadcastValues(surface.Facets, this->Together);
   BroadcastValues(surface.Multiplicity, this->Together);
   BroadcastValues(piece.WholeFacets, this->Together);
   BroadcastValues(piece.Cells, this->Together);
+  BroadcastValues(piece.Boundary, this->Together);
 }
 
-void SurfaceChunks::TakeTurns(const char* stage, const Maker& make, const Visitor& visit)
+void SurfaceChunks::TakeTurns(int turns, const char* stage, const Maker& make, const Visitor& visit)
 {
-  for (int turn = 0; turn < this->NumberOfPieces; ++turn)
+  for (int turn = 0; turn < turns; ++turn)
   {
-    const bool isLast = turn + 1 == this->NumberOfPieces;
-    const insideout::ProgressRange progress = { stage,
-      static_cast<double>(turn) / this->NumberOfPieces,
-      static_cast<double>(turn + 1) / this->NumberOfPieces };
+    const bool isLast = turn + 1 == turns;
+    const insideout::ProgressRange progress = { stage, static_cast<double>(turn) / turns,
+      static_cast<double>(turn + 1) / turns };
     if (this->WholeSurface)
     {
       vtkInsideOut::DoTogether(this->Together,
         [&]() {
-          visit({ *this->WholeSurface, true, true, progress });
+          visit({ *this->WholeSurface, true, true, false, progress });
         });
       continue;
     }
@@ -162,7 +164,7 @@ void SurfaceChunks::TakeTurns(const char* stage, const Maker& make, const Visito
     this->Broadcast(piece);
     vtkInsideOut::DoTogether(this->Together,
       [&]() {
-        visit({ make(piece), turn == 0, isLast, progress });
+        visit({ make(piece), turn == 0, isLast, piece.Boundary.empty(), progress });
       });
   }
 }
@@ -171,19 +173,13 @@ void SurfaceChunks::TakeTurns(Monitor& monitor, const Visitor& visit)
 {
   const Maker make = [&](const SurfaceChunk& piece)
   { return InputWindingNumber(piece, this->Options, monitor); };
-  this->TakeTurns(insideout::Stages::WindingNumbers, make, visit);
+  this->TakeTurns(this->NumberOfTurns, insideout::Stages::WindingNumbers, make, visit);
 }
 
 void SurfaceChunks::TakeTurnsForDistances(const Visitor& visit)
 {
   const Maker make = [&](const SurfaceChunk& piece)
   { return InputWindingNumber(piece, this->Exponent); };
-  this->TakeTurns(insideout::Stages::Distances, make, visit);
-}
-
-double SurfaceChunks::Rounded(double sum) const
-{
-  const double half = std::round(2 * sum) / 2;
-  return this->IsClosed && std::abs(sum - half) < RoundingOfSums ? half : sum;
+  this->TakeTurns(this->NumberOfPieces, insideout::Stages::Distances, make, visit);
 }
 } // namespace vtkInsideOut

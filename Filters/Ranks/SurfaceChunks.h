@@ -5,8 +5,9 @@
  *
  * A large surface would fill the memory of every rank. So the first rank, which has gathered it,
  * counts and turns its facets as a whole, cuts it into chunks (SurfacePieces.h), and broadcasts
- * these one by one. All ranks add up the chunks' results in the same order, so results do not
- * depend on the number of ranks. The other ranks hold at most one chunk.
+ * these one by one. Each is closed by caps (ClosePieces.h), which are broadcast last. All ranks add
+ * up the results in the same order, so results do not depend on the number of ranks. The other
+ * ranks hold at most one chunk.
  */
 #pragma once
 
@@ -51,12 +52,13 @@ public:
   /** The surface, if it is whole here; else nullptr. */
   const InputWindingNumber* Whole() const { return this->WholeSurface.get(); }
 
-  /** A chunk and its index. */
+  /** A chunk, or what is left of the surface after all of them. */
   struct Turn
   {
     const InputWindingNumber& Piece;
     bool IsFirst;
     bool IsLast;
+    bool IsClosed; ///< by caps
     insideout::ProgressRange Progress;
   };
   using Visitor = std::function<void(const Turn&)>;
@@ -71,28 +73,21 @@ public:
   void TakeTurnsForDistances(const Visitor& visit);
   ///@}
 
-  /**
-   * Correct the sum of the winding numbers of all chunks. For a closed surface it is a whole number
-   * off the surface and a half on its facets, up to rounding. The additional edges of chunks add
-   * rounding errors, which are removed here.
-   */
-  double Rounded(double sum) const;
-
 private:
   using Maker = std::function<InputWindingNumber(const SurfaceChunk&)>;
 
   void Cut(vtkPolyData* surface, insideout::Id facetsAtOnce, insideout::Monitor& monitor,
     std::vector<std::string>& warnings);
-  void TakeTurns(const char* stage, const Maker& make, const Visitor& visit);
+  void TakeTurns(int turns, const char* stage, const Maker& make, const Visitor& visit);
   void Broadcast(SurfaceChunk& piece) const;
   bool IsFirstRank() const;
 
   SurfaceOptions Options;
   vtkMultiProcessController* Together = nullptr;
   std::unique_ptr<const InputWindingNumber> WholeSurface;
-  std::vector<SurfaceChunk> Pieces; ///< on the first rank
+  std::vector<SurfaceChunk> Pieces; ///< on the first rank: chunks, then what is left
   int NumberOfPieces = 1;
-  int Exponent = 0; ///< coordinates of the whole surface are below 2 to this power
-  int IsClosed = 0; ///< not 0 if the whole surface is
+  int NumberOfTurns = 1; ///< chunks, and what is left
+  int Exponent = 0;      ///< coordinates of the whole surface are below 2 to this power
 };
 } // namespace vtkInsideOut

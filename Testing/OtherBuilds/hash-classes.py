@@ -128,7 +128,7 @@ QUERY = [*ORIENTATION, *COUNTING, ("AreaArrayName", ["Weight"], {})]
 PROBE = [
     *[("Association", [1], {}), ("Threshold", [0.25], {}), ("InsideOut", [True], {}), ("OutputWindingNumber", [False], {}), ("Distance", [True], {})],
     *[("ClosestPoints", [True], {"Distance": True}), ("Method", [1, 2, 3], {}), ("ApproximationOrder", [1, 3], {"Method": 3})],
-    *[("Accuracy", [4], {"Method": 3}), ("FacetsAtOnce", [16], {}), *QUERY],
+    *[("Accuracy", [4], {"Method": 3}), ("FacetsAtOnce", [16], {}), ("SurfacePieces", [2], {}), *QUERY],
 ]
 SIZING = [("SizingArrayName", ["Size"], {}), ("BackgroundData", ["@places"], {"SizingArrayName": "Size"})]
 SOLID_FILES = [("FileName", ["x.msh", "x.inp", "x.mesh"], {}), ("MshVersion", [1], {"FileName": "x.msh"}), ("CellsOnly", [True], {"FileName": "x.msh"}), ("BoundaryData", ["@first boundary"], {"FileName": "x.msh"})]

@@ -82,8 +82,24 @@ Loop CutOffArcs(const std::vector<Point>& points, const Loop& loop,
   return chords;
 }
 
-/** Merge triangles with the same corners, or remove them where they cancel. */
-std::vector<CountedTriangle> AddChains(const std::vector<CountedTriangle>& triangles)
+} // namespace
+
+std::vector<std::vector<CountedTriangle>> CapHoles(
+  const std::vector<Point>& points, const std::vector<CountedEdge>& boundary)
+{
+  std::vector<std::vector<CountedTriangle>> caps;
+  for (Loop loop : LoopsOf(boundary))
+  {
+    while (loop.size() >= 2 * EdgesPerArc)
+    {
+      loop = CutOffArcs(points, loop, caps);
+    }
+    caps.push_back(Fan(points, loop));
+  }
+  return caps;
+}
+
+std::vector<CountedTriangle> MergeTriangles(const std::vector<CountedTriangle>& triangles)
 {
   std::vector<CountedTriangle> sorted;
   sorted.reserve(triangles.size());
@@ -109,23 +125,6 @@ std::vector<CountedTriangle> AddChains(const std::vector<CountedTriangle>& trian
   }
   return sum;
 }
-} // namespace
-
-std::vector<std::vector<CountedTriangle>> CapHoles(
-  const std::vector<Point>& points, const std::vector<CountedEdge>& boundary)
-{
-  std::vector<std::vector<CountedTriangle>> caps;
-  for (Loop loop : LoopsOf(boundary))
-  {
-    while (loop.size() >= 2 * EdgesPerArc)
-    {
-      loop = CutOffArcs(points, loop, caps);
-    }
-    caps.push_back(Fan(points, loop));
-  }
-  return caps;
-}
-
 std::vector<CountedTriangle> CloseChain(
   std::vector<CountedTriangle> triangles, const std::vector<std::vector<CountedTriangle>>& caps)
 {
@@ -160,7 +159,7 @@ std::vector<CountedTriangle> CloseChain(
       [&](Id p) { return p <= last && isCorner[p]; });
     (isBetween ? between : closed).push_back(triangle);
   }
-  const std::vector<CountedTriangle> sum = AddChains(between);
+  const std::vector<CountedTriangle> sum = MergeTriangles(between);
   closed.insert(closed.end(), sum.begin(), sum.end());
   return closed;
 }

@@ -17,6 +17,9 @@ namespace insideout
 std::vector<std::vector<CountedTriangle>> CapHoles(
   const std::vector<Point>& points, const std::vector<CountedEdge>& boundary);
 
+/** Triangles with the same corners as one, or none where they cancel, in the order of corners. */
+std::vector<CountedTriangle> MergeTriangles(const std::vector<CountedTriangle>& triangles);
+
 /** The chain less its caps, which has no boundary. Triangles that cancel are left out. */
 std::vector<CountedTriangle> CloseChain(
   std::vector<CountedTriangle> triangles, const std::vector<std::vector<CountedTriangle>>& caps);

@@ -65,14 +65,13 @@ void AddBiotSavart(const Point& a, const Point& b, const Point& p, double count,
 class SurfaceWindingNumber::Implementation
 {
 public:
-  Implementation(
-    const FacetComplex& surface, const WindingNumberParameters& parameters, Monitor& monitor)
+  Implementation(const FacetComplex& surface, std::vector<CountedTriangle> triangles,
+    std::vector<CountedEdge> boundary, const WindingNumberParameters& parameters, Monitor& monitor)
     : Exponent(LargestExponent(surface.Points))
     , Points(ScaledPoints(surface.Points, -this->Exponent))
     , Method(parameters.Method)
+    , OpenEdges(std::move(boundary))
   {
-    std::vector<CountedTriangle> triangles = CountedFacets(surface);
-    this->OpenEdges = CountedBoundary(triangles, static_cast<Id>(this->Points.size()));
     switch (this->Method)
     {
       case WindingNumberMethod::Exact:
@@ -127,7 +126,7 @@ public:
   const int Exponent;
   const std::vector<Point> Points; // scaled
   const WindingNumberMethod Method;
-  std::vector<CountedEdge> OpenEdges;
+  const std::vector<CountedEdge> OpenEdges;
   std::optional<ExactWindingNumber> Exact;
   FacetComplex Surface; // scaled
   std::optional<HierarchicalWindingNumber> Hierarchical;
@@ -136,7 +135,18 @@ public:
 
 SurfaceWindingNumber::SurfaceWindingNumber(
   const FacetComplex& surface, const WindingNumberParameters& parameters, Monitor& monitor)
-  : Internals(std::make_unique<const Implementation>(surface, parameters, monitor))
+{
+  std::vector<CountedTriangle> triangles = CountedFacets(surface);
+  std::vector<CountedEdge> boundary =
+    CountedBoundary(triangles, static_cast<Id>(surface.Points.size()));
+  this->Internals = std::make_unique<const Implementation>(
+    surface, std::move(triangles), std::move(boundary), parameters, monitor);
+}
+
+SurfaceWindingNumber::SurfaceWindingNumber(const FacetComplex& surface,
+  std::vector<CountedEdge> boundary, const WindingNumberParameters& parameters, Monitor& monitor)
+  : Internals(std::make_unique<const Implementation>(
+      surface, CountedFacets(surface), std::move(boundary), parameters, monitor))
 {
 }
 

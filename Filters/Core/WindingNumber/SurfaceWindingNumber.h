@@ -5,6 +5,7 @@
 #include "Common/Monitor.h"
 #include "Common/ProgressRange.h"
 #include "Common/Stages.h"
+#include "WindingNumber/CountedBoundary.h"
 #include "WindingNumber/GridPlaces.h"
 
 #include <memory>
@@ -43,6 +44,11 @@ public:
    */
   SurfaceWindingNumber(
     const FacetComplex& surface, const WindingNumberParameters& parameters, Monitor& monitor);
+
+  /** The same where the boundary is known; edges of degenerate triangles that the surface lacks may
+   * be in it. */
+  SurfaceWindingNumber(const FacetComplex& surface, std::vector<CountedEdge> boundary,
+    const WindingNumberParameters& parameters, Monitor& monitor);
   ~SurfaceWindingNumber();
 
   /**

@@ -40,6 +40,10 @@ them are inside::
     insideout.winding_number("broken.ply", points)
     insideout.inside("broken.ply", points)
 
+The winding number of a surface that does not fit in memory, whose pieces are read one after the other::
+
+    insideout.winding_number_of_pieces(["left.stl", "right.stl"], points)
+
 The signed distance to the surface, negative inside; and the voxels inside, as an array, with the position of the
 first::
 
@@ -84,7 +88,7 @@ RESULTS
     tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, regions, tags, verdict, statistics
     read            a vtkPolyData or a vtkUnstructuredGrid
     refine          Refinement: solid, statistics
-    winding_number  an array of float64, one value per point
+    winding_number  an array of float64, one value per point; winding_number_of_pieces likewise
     inside          an array of bool, one value per point
     distance        an array of float64, one value per point
     voxels          an array of bool with three indices, and a point
@@ -125,7 +129,7 @@ MODULES
     - functions: `booleans`, `checking`, `quality`, `resolving`, `queries`, `grids`, `clouds`, `refinement` and
       `tetrahedralization`
     - options: `options`; stages reported to `progress`: `stages`
-    - inputs: `data` has the types of surfaces and tetrahedra, `surfaces`, `solids` and `inputs` make them
+    - inputs: `data` has the types of surfaces and tetrahedra, `surfaces`, `solids`, `pieces` and `inputs` make them
     - files: `files` and `reading` read, `writing` and `exporting` write
     - running VTK: `pipeline` runs any algorithm with its errors as exceptions; `calling` and `errors`
     - results: `results`, `statistics`, `plotting` and `serializing`; `measures` and `parts`
@@ -148,7 +152,7 @@ from .drawing import draw, draw_quality
 from .errors import Error, Warning
 from .grids import DistanceGrid, sdf_grid
 from .quality import SolidCheck, check_solid
-from .queries import distance, inside, voxels, winding_number
+from .queries import distance, inside, voxels, winding_number, winding_number_of_pieces
 from .reading import read
 from .refinement import Refinement, refine
 from .resolving import Resolution, resolve
@@ -195,5 +199,6 @@ __all__ = [
     "tetrahedralize",
     "voxels",
     "winding_number",
+    "winding_number_of_pieces",
     "write",
 ]

@@ -12,7 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSet
 
 from .calling import for_users, tell
-from .errors import brief, finite
+from .errors import Error, brief, finite
 from .images import bounds_of, image_of, in_space, sizes_of, spacing_of, steps_between
 from .inputs import AnyPoints, points_and_shape
 from .lengths import Length
@@ -46,6 +46,42 @@ def winding_number(
     Raises `Error` with one line that names the culprit.
     """
     return _ask_at(points, "w", surface, Options.among(locals()), progress)
+
+
+@for_users
+def winding_number_of_pieces(
+    pieces: Sequence[AnySurface], points: AnyPoints, *, scale: float = 1, progress: Optional[Progress] = None
+) -> NDArray[np.float64]:
+    """The winding number, at points, of a surface that need not fit in memory: its pieces are read one after the other.
+
+    pieces    the names of their files, or other surfaces; each is let go before the next is read
+    points    one point (3,) or an array of them (..., 3); or a VTK data set whose points are meant
+    scale     factor on the surface's coordinates
+    progress  called with the stage and the fraction that is done; an exception that it raises stops the work
+
+    Returns an array of float64 with the shape (...), one value per point: what `winding_number` gives for all polygons
+    together with orientation="as-given" and count_duplicates=True, bit by bit where the point is not on the surface.
+    Memory is that of the largest piece and of the open edges of all. Raises `Error` with one line that names the
+    culprit.
+    """
+    if not isinstance(pieces, (list, tuple)) or not pieces:
+        raise Error(f"pieces is {pieces!r}; it has to be a list of surfaces, at least one")
+    from .pieces import Pieces  # of a module of VTK that nothing else needs
+
+    places, shape = points_and_shape(points)
+    source = Pieces(pieces, Options(scale=scale).factor())
+    probe = Options(orientation="as-given", count_duplicates=True).set_on(vtkProbeWindingNumber())
+    probe.SetSurfacePieces(len(pieces))
+    probe.SetInputData(places)
+    probe.SetSurfaceConnection(source.GetOutputPort())
+    try:
+        warnings = run(probe, progress)
+    finally:
+        if source.failure is not None:
+            raise source.failure
+    tell(source.warnings + in_words_of_python(warnings))
+    values: NDArray[Any] = Answer(probe, []).array("w").reshape(shape)[()]
+    return values
 
 
 def _ask_at(
