@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace insideout
 {
@@ -27,8 +28,8 @@ constexpr double SideError = 0x1p-48;
 
 // The imaginary part is u . normal over the product of the other two distances; so is its error.
 // The error is large where a site is much nearer to two corners than the edges are long, as at the
-// short side of a needle. This bound allows some 1e-14.
-constexpr double MostImaginaryError = 0x1p-42;
+// short side of a needle. This bound allows some 1e-14, mostly less.
+constexpr double MostImaginaryError = 0x1p-45;
 
 // Smaller imaginary parts count as zero: far less than rounding, and far from underflow in
 // products. This cannot happen where the real part is negative, because u . normal is above
@@ -85,6 +86,18 @@ INSIDEOUT_ALWAYS_INLINE double TwoSum(double a, double b, double& sum)
   return (a - aRounded) + (b - bRounded);
 }
 } // namespace
+
+Triangle FromBluntCorner(const std::vector<Point>& points, const Triangle& corners)
+{
+  const auto rank = [&](int k)
+  {
+    const auto [p, q, r] =
+      CornersOf(points, Triangle{ corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3] });
+    return std::make_pair(Distance(p, q) * Distance(p, r), corners[k]);
+  };
+  const int k = std::min({ 0, 1, 2 }, [&](int i, int j) { return rank(i) < rank(j); });
+  return { corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3] };
+}
 
 void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c)
 {

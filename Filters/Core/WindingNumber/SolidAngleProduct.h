@@ -4,6 +4,7 @@
 #include "WindingNumber/Sites.h"
 
 #include <cstddef>
+#include <vector>
 
 /**
  * The sum of solid angles in doubles, side by side for a block of sites (WindingNumberSum.h).
@@ -59,6 +60,13 @@ struct Products
   double Imaginary[Lanes];
   double Turns[Lanes];
 };
+
+/**
+ * Turn a triangle until it begins with the corner whose edges have the least product, to which the
+ * error of the side is proportional. From a site near the short side of a needle, the side of its
+ * tip would be undecided.
+ */
+Triangle FromBluntCorner(const std::vector<Point>& points, const Triangle& corners);
 
 /** Set all but Corners and Local from the positions of the corners. */
 void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c);

@@ -81,7 +81,7 @@ TileRange SolidAngleTiles::Add(const std::vector<CountedTriangle>& triangles)
   for (const CountedTriangle& triangle : triangles)
   {
     SummedFacet facet;
-    facet.Corners = triangle.Corners;
+    facet.Corners = FromBluntCorner(this->Points, triangle.Corners);
     if (triangle.Count < 0)
     {
       std::swap(facet.Corners[1], facet.Corners[2]);

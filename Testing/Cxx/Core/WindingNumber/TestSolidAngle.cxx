@@ -2,9 +2,12 @@
 #include "WindingNumber/SolidAngle.h"
 
 #include "Support/BruteForceWindingNumber.h"
+#include "WindingNumber/Pi.h"
+#include "WindingNumber/SolidAngleProduct.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -180,6 +183,43 @@ TEST(WindingNumberOfTriangle, KeepsItsDigitsWhereProductsUnderflow)
         static_cast<double>(testmeshes::HalfSolidAngleInLong(SiteAt(p), t)) / (2 * pi);
       EXPECT_NEAR(WindingNumberOfTriangle(t, p), expected, 1e-13) << exponent << " " << i;
     }
+  }
+}
+
+TEST(SolidAngleProduct, SideOfANeedleIsDecidedAtItsShortSide)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 0.9, 0, 0 }, { 0.9, 0.001, 0 } };
+  const Triangle corners = FromBluntCorner(points, { 0, 1, 2 });
+  EXPECT_NE(corners[0], 0);
+  SummedFacet facet;
+  facet.Corners = corners;
+  facet.Local = { 0, 1, 2 };
+  std::vector<Point> turned;
+  for (const Id corner : corners)
+  {
+    turned.push_back(points[corner]);
+  }
+  SetGeometry(facet, turned[0], turned[1], turned[2]);
+  SiteBlock block = {};
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    block.High[0][lane] = 0.9;
+    block.High[1][lane] = 0.0003;
+    block.High[2][lane] = 0.0001 * (lane + 1);
+  }
+  UnitVectors vectors[3];
+  ComputeUnitVectors(turned.data(), 3, block, vectors);
+  Products products = {};
+  std::fill(products.Real, products.Real + Lanes, 1.0);
+  double undecided[Lanes] = {};
+  MultiplyByFacets(&facet, &facet + 1, vectors, products, undecided);
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    EXPECT_EQ(undecided[lane], 0);
+    const Point site = { block.High[0][lane], block.High[1][lane], block.High[2][lane] };
+    const std::array<Point, 3> triangle = { points[0], points[1], points[2] };
+    const double w = std::arg(HalfSolidAngle(triangle, SiteAt(site))) / (2 * Pi);
+    EXPECT_NEAR(WindingNumber(products, lane), w, 1e-15);
   }
 }
 } // namespace
