@@ -167,7 +167,7 @@ void CapsInGrid::AddFarCaps(GridBox& box) const
   std::iota(order.begin(), order.end(), 0);
   const std::vector<Tetrahedron> cells = CellsOfPoints(places.size());
   Monitor silent;
-  WindingNumberOfCaps(this->Points, caps)
+  WindingNumberOfCaps(this->Points, caps, 0)
     .Add({ places, cells }, order, box.Values, silent, { "", 0, 1 });
 }
 

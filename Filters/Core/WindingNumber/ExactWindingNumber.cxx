@@ -25,7 +25,7 @@ ExactWindingNumber::ExactWindingNumber(const std::vector<Point>& points,
   : Points(points)
   , Caps(CapHoles(points, boundary))
   , Tree(points, CloseChain(std::move(triangles), this->Caps), monitor, progress)
-  , SumOfCaps(points, this->Caps)
+  , SumOfCaps(points, this->Caps, 0)
 {
 }
 

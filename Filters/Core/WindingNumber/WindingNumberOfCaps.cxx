@@ -15,97 +15,74 @@ namespace insideout
 {
 namespace
 {
-// A bound of the sum of far caps: 1/2, less room for rounding.
+// A bound of the sum of far caps in one product: 1/2, less room for rounding. A product costs an
+// arctangent; a cap that would fill more than half of one is summed by triangles.
 constexpr double MostOfFarCaps = 0.49;
+constexpr double MostOfFarCap = 0.25;
 
-// From sites nearer to a cap's ball than this fraction of its radius an edge might be seen under
+// From sites nearer to a cap's box than this fraction of its diagonal an edge might be seen under
 // nearly 180 degrees, where the boundary alone would lose digits.
-constexpr double LeastRelativeDistance = 0x1p-4;
+constexpr double LeastRelativeDistance = 0x1p-5;
+
+// Keeps bounds valid despite rounding.
+constexpr double RoundedUp = 1 + 0x1p-40;
 
 // The distances required by BoundaryProduct.h, with room to spare.
 constexpr double LeastDistance = 0x1p-40;
 constexpr double LeastAhead = 0x1p-6;
-constexpr double MostAhead = 4;
+constexpr double MostAhead = 2;
 
 // Neighboring caps form a bunch, up to this many boundary points. A bunch is evaluated as one cap
 // where its winding number is certainly below the second value.
 constexpr std::size_t PointsPerBunch = 64;
 constexpr double MostOfBunch = 0x1p-6;
 
-/** Centered at the middle of the sites' box. */
-WindingNumberOfCaps::Ball BallAround(const SiteBlock& sites)
-{
-  WindingNumberOfCaps::Ball ball;
-  double squared = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto [low, high] = std::minmax_element(sites.High[axis], sites.High[axis] + Lanes);
-    ball.Centre[axis] = *low / 2 + *high / 2;
-    const double extent = *high / 2 - *low / 2;
-    squared += extent * extent;
-  }
-  const double roundedUp = 1 + 0x1p-40;
-  ball.Radius = std::sqrt(squared) * roundedUp;
-  return ball;
-}
-
-/** Coordinates are below 2^50, so that their squares do not overflow. */
-double QuickDistance(const Point& a, const Point& b)
-{
-  const Point d = Difference(a, b);
-  return std::sqrt(Dot(d, d));
-}
-
 /**
- * Find a frame in which, from all sites in a ball, all places in another ball lie ahead and not too
- * near.
+ * Find a frame in which, from all sites in a ball, all places in a box lie ahead and not too near.
  *
  * @return whether there is one
  */
-bool FindFrame(
-  const WindingNumberOfCaps::Ball& from, const WindingNumberOfCaps::Ball& to, Frame& frame)
+bool FindFrame(const Ball& from, const Box& to, Frame& frame)
 {
-  frame.Z = 0;
-  for (int axis = 1; axis < 3; ++axis)
+  double most = 0;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    if (std::abs(to.Centre[axis] - from.Centre[axis]) >
-      std::abs(to.Centre[frame.Z] - from.Centre[frame.Z]))
+    const double above = to.Low[axis] - from.Centre[axis];
+    const double below = from.Centre[axis] - to.High[axis];
+    if (std::max(above, below) > most)
     {
+      most = std::max(above, below);
       frame.Z = axis;
+      frame.Sign = above > below ? 1 : -1;
     }
   }
-  const double ahead = to.Centre[frame.Z] - from.Centre[frame.Z];
-  frame.Sign = ahead > 0 ? 1 : -1;
-  frame.X = (frame.Z + (ahead > 0 ? 1 : 2)) % 3;
-  frame.Y = (frame.Z + (ahead > 0 ? 2 : 1)) % 3;
-  return std::abs(ahead) > from.Radius + to.Radius + LeastAhead && std::abs(ahead) < MostAhead;
+  if (most < from.Radius + LeastAhead || most > MostAhead)
+  {
+    return false;
+  }
+  frame.X = (frame.Z + (frame.Sign > 0 ? 1 : 2)) % 3;
+  frame.Y = (frame.Z + (frame.Sign > 0 ? 2 : 1)) % 3;
+  return true;
+}
+
+double DistanceFrom(const Box& box, const Point& point)
+{
+  double squared = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double gap = std::max({ 0.0, box.Low[axis] - point[axis], point[axis] - box.High[axis] });
+    squared += gap * gap;
+  }
+  return std::sqrt(squared);
 }
 
 /** |w| is at most the area over that of the sphere around the site which touches the cap. */
-double BoundOf(
-  double area, const WindingNumberOfCaps::Ball& around, const WindingNumberOfCaps::Ball& sites)
+double BoundOf(double area, const Box& around, const Ball& sites)
 {
-  const double distance = QuickDistance(around.Centre, sites.Centre) - sites.Radius - around.Radius;
-  const bool clear = distance > LeastDistance && distance > LeastRelativeDistance * around.Radius;
+  const double distance = DistanceFrom(around, sites.Centre) / RoundedUp - sites.Radius;
+  const double length = QuickDistance(around.Low, around.High);
+  const bool clear = distance > LeastDistance && distance > LeastRelativeDistance * length;
   return clear ? area / (4 * Pi * distance * distance) : 1;
-}
-
-/** The largest bound of caps that count as far; together these are below 1/2. */
-template <typename BoundedParts>
-double LargestFar(const BoundedParts& parts)
-{
-  double largestFar = 2 * MostOfFarCaps;
-  double sum = 1;
-  while (sum > MostOfFarCaps)
-  {
-    largestFar /= 2;
-    sum = 0;
-    for (const auto& part : parts)
-    {
-      sum += part.Bound <= largestFar ? part.Bound : 0;
-    }
-  }
-  return largestFar;
 }
 
 /** A chain's boundary, in loops. */
@@ -136,15 +113,25 @@ std::vector<Loop> LoopsAround(std::vector<CountedTriangle> triangles)
   return loops;
 }
 
-/** The principal value of the phase, in turns. */
-double Turns(const PhaseProducts& products, int lane)
+/** Add the principal value of the phase, in turns. */
+void AddTurns(const PhaseProducts& products, double (&sums)[Lanes])
 {
-  return std::atan2(products.Imaginary[lane], products.Real[lane]) / (2 * Pi);
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    sums[lane] += std::atan2(products.Imaginary[lane], products.Real[lane]) / (2 * Pi);
+  }
 }
+
+const PhaseProducts Ones = []
+{
+  PhaseProducts ones = {};
+  std::fill(ones.Real, ones.Real + Lanes, 1.0);
+  return ones;
+}();
 } // namespace
 
-WindingNumberOfCaps::WindingNumberOfCaps(
-  const std::vector<Point>& points, const std::vector<std::vector<CountedTriangle>>& caps)
+WindingNumberOfCaps::WindingNumberOfCaps(const std::vector<Point>& points,
+  const std::vector<std::vector<CountedTriangle>>& caps, std::size_t sites)
   : Points(points)
   , Triangles(points)
 {
@@ -156,14 +143,17 @@ WindingNumberOfCaps::WindingNumberOfCaps(
       chains.push_back(&chain);
     }
   }
+  std::vector<Chain> bunches;
   if (!chains.empty())
   {
-    this->AddBunches(chains.data(), chains.data() + chains.size());
+    this->AddBunches(chains.data(), chains.data() + chains.size(), bunches);
   }
+  this->Tree = std::make_unique<const MultipoleTree>(points, bunches, sites);
 }
 
 /** Halve the caps across their longest extent until they fit a bunch. */
-void WindingNumberOfCaps::AddBunches(const Chain** first, const Chain** last)
+void WindingNumberOfCaps::AddBunches(
+  const Chain** first, const Chain** last, std::vector<Chain>& bunches)
 {
   std::size_t boundaryPoints = 0;
   for (const Chain** chain = first; chain != last; ++chain)
@@ -172,7 +162,7 @@ void WindingNumberOfCaps::AddBunches(const Chain** first, const Chain** last)
   }
   if (last - first == 1 || boundaryPoints <= PointsPerBunch)
   {
-    this->AddBunch(first, last);
+    this->AddBunch(first, last, bunches);
     return;
   }
   const auto less = [this](int axis)
@@ -196,11 +186,12 @@ void WindingNumberOfCaps::AddBunches(const Chain** first, const Chain** last)
   }
   const Chain** const middle = first + (last - first) / 2;
   std::nth_element(first, middle, last, less(longest));
-  this->AddBunches(first, middle);
-  this->AddBunches(middle, last);
+  this->AddBunches(first, middle, bunches);
+  this->AddBunches(middle, last, bunches);
 }
 
-void WindingNumberOfCaps::AddBunch(const Chain* const* first, const Chain* const* last)
+void WindingNumberOfCaps::AddBunch(
+  const Chain* const* first, const Chain* const* last, std::vector<Chain>& bunches)
 {
   Bunch bunch;
   bunch.FirstCap = this->Caps.size();
@@ -220,34 +211,17 @@ void WindingNumberOfCaps::AddBunch(const Chain* const* first, const Chain* const
   bunch.Whole.LastSize = this->Caps.back().LastSize;
   this->Measure(all, bunch.Whole);
   this->Bunches.push_back(bunch);
+  bunches.push_back(std::move(all));
 }
 
 void WindingNumberOfCaps::Measure(const Chain& triangles, Part& part) const
 {
-  Box box = Box::Empty();
-  part.Area = 0;
+  part.Around = Box::Empty();
   for (const CountedTriangle& triangle : triangles)
   {
-    const auto [a, b, c] = CornersOf(this->Points, triangle.Corners);
-    box.Add(BoundingBox(this->Points, triangle.Corners));
-    part.Area += std::abs(triangle.Count) * Length(NormalOf(a, b, c)) / 2;
+    part.Around.Add(BoundingBox(this->Points, triangle.Corners));
   }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    part.Around.Centre[axis] = box.Low[axis] / 2 + box.High[axis] / 2;
-  }
-  part.Around.Radius = 0;
-  for (const CountedTriangle& triangle : triangles)
-  {
-    for (const Id p : triangle.Corners)
-    {
-      part.Around.Radius =
-        std::max(part.Around.Radius, QuickDistance(part.Around.Centre, this->Points[p]));
-    }
-  }
-  const double roundedUp = 1 + 0x1p-40;
-  part.Around.Radius *= roundedUp;
-  part.Area *= roundedUp;
+  part.Area = AreaOf(this->Points, triangles);
 }
 
 void WindingNumberOfCaps::AddLoops(const std::vector<Loop>& loops, Part& cap)
@@ -266,20 +240,22 @@ void WindingNumberOfCaps::AddLoops(const std::vector<Loop>& loops, Part& cap)
 }
 
 /** Bunches, and the single caps of those too near to be taken as one, each with its bound. */
-void WindingNumberOfCaps::Choose(const Ball& sites, std::vector<BoundedPart>& parts) const
+void WindingNumberOfCaps::Choose(
+  const Ball& sites, const std::vector<Id>& bunches, std::vector<BoundedPart>& parts) const
 {
   parts.clear();
-  for (const Bunch& bunch : this->Bunches)
+  for (const Id i : bunches)
   {
+    const Bunch& bunch = this->Bunches[i];
     const double bound = BoundOf(bunch.Whole.Area, bunch.Whole.Around, sites);
     if (bound <= MostOfBunch)
     {
       parts.push_back({ &bunch.Whole, bound });
       continue;
     }
-    for (std::size_t i = bunch.FirstCap; i < bunch.LastCap; ++i)
+    for (std::size_t k = bunch.FirstCap; k < bunch.LastCap; ++k)
     {
-      const Part& cap = this->Caps[i];
+      const Part& cap = this->Caps[k];
       parts.push_back({ &cap, BoundOf(cap.Area, cap.Around, sites) });
     }
   }
@@ -303,7 +279,7 @@ void WindingNumberOfCaps::MultiplyByFar(
 }
 
 void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& order,
-  std::size_t first, std::vector<BoundedPart>& parts, std::vector<double>& w) const
+  std::size_t first, Chosen& chosen, std::vector<double>& w) const
 {
   const std::size_t last = std::min(order.size(), first + Lanes);
   for (std::size_t i = first; i < last; ++i)
@@ -312,29 +288,36 @@ void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& or
   }
   SiteProducts block = MakeBlock(sites, order, first);
   const Ball ball = BallAround(block.Rounded);
-  this->Choose(ball, parts);
-  const double largestFar = LargestFar(parts);
+  this->Tree->Select(ball, chosen.Bunches);
+  double sums[Lanes] = {};
+  this->Tree->Add(chosen.Bunches, block.Rounded, sums);
+  this->Choose(ball, chosen.Bunches.Near, chosen.Parts);
 
-  PhaseProducts far;
-  std::fill(far.Real, far.Real + Lanes, 1.0);
-  std::fill(far.Imaginary, far.Imaginary + Lanes, 0.0);
+  PhaseProducts far = Ones;
+  double bound = 0;
   bool anyNear = false;
-  for (const BoundedPart& part : parts)
+  for (const BoundedPart& part : chosen.Parts)
   {
-    if (part.Bound <= largestFar)
-    {
-      this->MultiplyByFar(*part.Taken, ball, block.Rounded, far);
-    }
-    else
+    if (part.Bound > MostOfFarCap)
     {
       anyNear = true;
       this->Triangles.Multiply(part.Taken->Triangles, sites, block);
+      continue;
     }
+    if (bound + part.Bound > MostOfFarCaps)
+    {
+      AddTurns(far, sums);
+      far = Ones;
+      bound = 0;
+    }
+    bound += part.Bound;
+    this->MultiplyByFar(*part.Taken, ball, block.Rounded, far);
   }
+  AddTurns(far, sums);
   for (std::size_t i = first; i < last; ++i)
   {
     const int lane = static_cast<int>(i - first);
-    w[order[i]] += (anyNear ? WindingNumber(block.Product, lane) : 0) + Turns(far, lane);
+    w[order[i]] += (anyNear ? WindingNumber(block.Product, lane) : 0) + sums[lane];
   }
 }
 
@@ -352,11 +335,11 @@ void WindingNumberOfCaps::Add(const Sites& sites, const std::vector<Id>& order,
     monitor, progress,
     [&](Id call)
     {
-      std::vector<BoundedPart> parts;
+      Chosen chosen;
       const std::size_t first = static_cast<std::size_t>(call) * sitesPerCall;
       for (std::size_t i = first; i < std::min(order.size(), first + sitesPerCall); i += Lanes)
       {
-        this->AddBlock(sites, order, i, parts, w);
+        this->AddBlock(sites, order, i, chosen, w);
       }
     });
 }
@@ -368,8 +351,8 @@ double WindingNumberOfCaps::At(const Point& point) const
   {
     const std::vector<Point> points = { point };
     const std::vector<Tetrahedron> cells = { { { 0, 0, 0, 0 } } };
-    std::vector<BoundedPart> parts;
-    this->AddBlock({ points, cells }, { 0 }, 0, parts, w);
+    Chosen chosen;
+    this->AddBlock({ points, cells }, { 0 }, 0, chosen, w);
   }
   return w.front();
 }

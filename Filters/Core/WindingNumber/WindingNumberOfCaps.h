@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Box.h"
 #include "Common/ParallelLoop.h"
 #include "WindingNumber/BoundaryProduct.h"
+#include "WindingNumber/MultipoleTree.h"
 #include "WindingNumber/SolidAngleTiles.h"
+
+#include <memory>
 
 namespace insideout
 {
@@ -12,11 +16,12 @@ namespace insideout
  * points: the caps that close the holes of a surface.
  *
  * The chain is given in parts, its caps. A site takes the winding numbers of far caps from their
- * boundaries alone (BoundaryProduct.h), which give them modulo 1, as long as these together are
- * below 1/2 by their areas. The other caps are summed, triangle by triangle, with exact decisions
- * on which side of a triangle the site lies (SolidAngleProduct.h). Either way the value is exact up
- * to rounding and never off by one. Neighboring caps form a bunch, so that many small far caps cost
- * no more than a large one with as many edges.
+ * boundaries alone (BoundaryProduct.h), which give them modulo 1, in sums that are below 1/2 by
+ * the caps' areas. The other caps are summed, triangle by triangle, with exact decisions on which
+ * side of a triangle the site lies (SolidAngleProduct.h). Either way the value is exact up to
+ * rounding and never off by one. Neighboring caps form a bunch, so that many small far caps cost no
+ * more than a large one with as many edges; to many sites far bunches are multipoles
+ * (MultipoleTree.h).
  */
 class WindingNumberOfCaps
 {
@@ -24,9 +29,10 @@ public:
   /**
    * @param[in] points of the caps, below 1 in each coordinate; has to live as long as this object
    * @param[in] caps each a chain of triangles that are not degenerate; connected ones serve best
+   * @param[in] sites how many will be asked for: many are worth a MultipoleTree
    */
-  WindingNumberOfCaps(
-    const std::vector<Point>& points, const std::vector<std::vector<CountedTriangle>>& caps);
+  WindingNumberOfCaps(const std::vector<Point>& points,
+    const std::vector<std::vector<CountedTriangle>>& caps, std::size_t sites);
 
   /**
    * Add the winding number at site order[i] to w[order[i]], for all i. Fastest
@@ -44,19 +50,13 @@ public:
 
   bool IsEmpty() const { return this->Caps.empty(); }
 
-  struct Ball
-  {
-    Point Centre;
-    double Radius;
-  };
-
 private:
   using Chain = std::vector<CountedTriangle>;
 
   /** A cap or several. */
   struct Part
   {
-    Ball Around;
+    Box Around;
     double Area; ///< counted as often as the triangles
     TileRange Triangles;
     std::size_t FirstPoint; ///< of the boundary, in LoopPoints
@@ -75,20 +75,27 @@ private:
     const Part* Taken;
     double Bound; ///< of |w| at the sites
   };
+  struct Chosen
+  {
+    MultipoleTree::Selection Bunches;
+    std::vector<BoundedPart> Parts; ///< of the near ones
+  };
 
-  void AddBunches(const Chain** first, const Chain** last);
-  void AddBunch(const Chain* const* first, const Chain* const* last);
+  void AddBunches(const Chain** first, const Chain** last, std::vector<Chain>& bunches);
+  void AddBunch(const Chain* const* first, const Chain* const* last, std::vector<Chain>& bunches);
   void Measure(const Chain& triangles, Part& part) const;
   void AddLoops(const std::vector<Loop>& loops, Part& cap);
-  void Choose(const Ball& sites, std::vector<BoundedPart>& parts) const;
+  void Choose(
+    const Ball& sites, const std::vector<Id>& bunches, std::vector<BoundedPart>& parts) const;
   void MultiplyByFar(
     const Part& part, const Ball& ball, const SiteBlock& sites, PhaseProducts& products) const;
-  void AddBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first,
-    std::vector<BoundedPart>& parts, std::vector<double>& w) const;
+  void AddBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first, Chosen& chosen,
+    std::vector<double>& w) const;
 
   const std::vector<Point>& Points;
   SolidAngleTiles Triangles;
   std::vector<Bunch> Bunches;
+  std::unique_ptr<const MultipoleTree> Tree; ///< of the bunches
   std::vector<Part> Caps;
   std::vector<Point> LoopPoints; // of loop after loop
   std::vector<std::int32_t> LoopSizes;

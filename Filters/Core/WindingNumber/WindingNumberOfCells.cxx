@@ -104,7 +104,8 @@ public:
     std::vector<std::vector<CountedTriangle>> apart = closed.Caps;
     apart.push_back(beyond);
     const std::vector<char> touched = TouchedCells(points, mesh.Cells, apart);
-    this->Caps = std::make_unique<const WindingNumberOfCaps>(points, closed.Caps);
+    this->Caps = std::make_unique<const WindingNumberOfCaps>(
+      points, closed.Caps, mesh.Cells.size() * rule.Sites.size());
     // Walking takes one thread; another one may sort meanwhile.
     const double nanosecondsPerCell = 30; // of each of the two
     ParallelLoop(2, nanosecondsPerCell * static_cast<double>(mesh.Cells.size()),
@@ -192,7 +193,7 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface,
   }
   const PartlyWalked rest(
     points, mesh, counts, std::move(straight.Rest), beyondRest, rule, monitor);
-  const WindingNumberOfStraightCaps caps(points, straight);
+  const WindingNumberOfStraightCaps caps(points, straight, mesh.Cells.size() * rule.Sites.size());
   std::vector<Id> order = rest.OrderOfCells();
   if (order.empty() && !straight.Caps.empty())
   {

@@ -7,6 +7,7 @@
 #include "WindingNumber/Pi.h"
 #include "WindingNumber/PlaceInBox.h"
 #include "WindingNumber/SolidAngle.h"
+#include "WindingNumber/SpatialOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,24 +22,48 @@ namespace
 constexpr double Above = 0x1p-30;
 constexpr int MostLines = 64;
 
+// Neighboring caps form a group.
+constexpr std::size_t CapsPerGroup = 16;
+
+std::vector<Id> OrderOfCaps(const std::vector<Point>& points, const std::vector<StraightCap>& caps)
+{
+  std::vector<Point> corners;
+  corners.reserve(caps.size());
+  for (const StraightCap& cap : caps)
+  {
+    corners.push_back(points[cap.Whole.Corners[0]]);
+  }
+  return SpatialOrder(corners);
+}
+
 /** Error bound of a height in long doubles, in units of their rounding error. */
 constexpr long double RoundingErrors = 16;
 } // namespace
 
 WindingNumberOfStraightCaps::WindingNumberOfStraightCaps(
-  const std::vector<Point>& points, const StraightCaps& caps)
+  const std::vector<Point>& points, const StraightCaps& caps, std::size_t sites)
   : Points(points)
   , Caps(caps)
   , Slivers(points, caps.Slivers)
 {
-  for (std::size_t i = 0; i < caps.Caps.size(); ++i)
+  std::vector<std::vector<CountedTriangle>> groups;
+  for (const Id i : OrderOfCaps(points, caps.Caps))
   {
     const StraightCap& cap = caps.Caps[i];
-    const CapTriangle triangle = MakeCapTriangle(CornersOf(points, cap.Whole.Corners), cap.Height);
-    this->Triangles.insert(
-      this->Triangles.end(), static_cast<std::size_t>(cap.Whole.Count), triangle);
-    this->CapOf.insert(this->CapOf.end(), static_cast<std::size_t>(cap.Whole.Count), i);
+    if (groups.empty() || groups.back().size() == CapsPerGroup)
+    {
+      groups.emplace_back();
+      this->FirstOfGroup.push_back(this->Triangles.size());
+    }
+    groups.back().push_back(cap.Whole);
+    const Triangle corners = FromBluntCorner(points, cap.Whole.Corners);
+    const CapTriangle triangle = MakeCapTriangle(CornersOf(points, corners), cap.Height);
+    const std::size_t count = static_cast<std::size_t>(cap.Whole.Count);
+    this->Triangles.insert(this->Triangles.end(), count, triangle);
+    this->CapOf.insert(this->CapOf.end(), count, static_cast<std::size_t>(i));
   }
+  this->FirstOfGroup.push_back(this->Triangles.size());
+  this->Tree = std::make_unique<const MultipoleTree>(points, groups, sites);
   this->Trees.assign(caps.Caps.size(), BoxTree({}));
   this->IsTreeMade = std::make_unique<std::once_flag[]>(caps.Caps.size());
 }
@@ -157,23 +182,26 @@ double WindingNumberOfStraightCaps::MultiplyByUndecided(
     : 0;
 }
 
-/** Multiply by the triangles, and add their labels. */
-void WindingNumberOfStraightCaps::AddTriangles(
-  const Sites& sites, SiteProducts& block, double (&labels)[Lanes]) const
+/** Multiply by the triangles of some groups, and add their labels. */
+void WindingNumberOfStraightCaps::AddTriangles(const std::vector<Id>& groups, const Sites& sites,
+  SiteProducts& block, double (&labels)[Lanes]) const
 {
   const CapTriangle* const begin = this->Triangles.data();
-  const CapTriangle* const end = begin + this->Triangles.size();
-  for (const CapTriangle* triangle = begin; triangle != end;)
+  for (const Id group : groups)
   {
-    double undecided[Lanes] = {};
-    triangle = MultiplyByTriangles(triangle, end, block.Rounded, block.Product, undecided);
-    for (int lane = 0; lane < Lanes; ++lane)
+    const CapTriangle* const end = begin + this->FirstOfGroup[group + 1];
+    for (const CapTriangle* triangle = begin + this->FirstOfGroup[group]; triangle != end;)
     {
-      // The last site fills the block.
-      if (undecided[lane] > 0 && (lane == 0 || block.Index[lane] != block.Index[lane - 1]))
+      double undecided[Lanes] = {};
+      triangle = MultiplyByTriangles(triangle, end, block.Rounded, block.Product, undecided);
+      for (int lane = 0; lane < Lanes; ++lane)
       {
-        labels[lane] += this->MultiplyByUndecided(static_cast<std::size_t>(triangle - 1 - begin),
-          sites[block.Index[lane]], block.Product, lane);
+        // The last site fills the block.
+        if (undecided[lane] > 0 && (lane == 0 || block.Index[lane] != block.Index[lane - 1]))
+        {
+          labels[lane] += this->MultiplyByUndecided(static_cast<std::size_t>(triangle - 1 - begin),
+            sites[block.Index[lane]], block.Product, lane);
+        }
       }
     }
   }
@@ -190,18 +218,22 @@ void WindingNumberOfStraightCaps::AddBlocks(const Sites& sites, const std::vecto
     box.Add(BoxOfSites(blocks.back().Rounded));
   }
   const SliverTree::Selection slivers = this->Slivers.Select(box);
+  MultipoleTree::Selection groups;
   for (std::size_t i = first; i < last; i += Lanes)
   {
     SiteProducts& block = blocks[(i - first) / Lanes];
+    this->Tree->Select(BallAround(block.Rounded), groups);
+    double far[Lanes] = {};
+    this->Tree->Add(groups, block.Rounded, far);
     double labels[Lanes] = {};
-    this->AddTriangles(sites, block, labels);
+    this->AddTriangles(groups.Near, sites, block, labels);
     double halfAngles[Lanes] = {};
     this->Slivers.Add(slivers, sites, block, halfAngles);
     for (std::size_t k = i; k < std::min(last, i + Lanes); ++k)
     {
       const int lane = static_cast<int>(k - i);
-      w[order[k]] +=
-        labels[lane] + (WindingNumber(block.Product, lane) + halfAngles[lane] / (2 * Pi));
+      w[order[k]] += labels[lane] +
+        (WindingNumber(block.Product, lane) + far[lane] + halfAngles[lane] / (2 * Pi));
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/BoxTree.h"
+#include "WindingNumber/MultipoleTree.h"
 #include "WindingNumber/SliverTree.h"
 #include "WindingNumber/SolidAngleTiles.h"
 #include "WindingNumber/StraightCapProduct.h"
@@ -20,9 +21,13 @@ namespace insideout
 class WindingNumberOfStraightCaps
 {
 public:
-  /** @param[in] points of the caps, below 1 in each coordinate; both have to live as long as this
-   * object */
-  WindingNumberOfStraightCaps(const std::vector<Point>& points, const StraightCaps& caps);
+  /**
+   * @param[in] points of the caps, below 1 in each coordinate; both have to live as long as this
+   * object
+   * @param[in] sites how many will be asked for: many are worth a MultipoleTree
+   */
+  WindingNumberOfStraightCaps(
+    const std::vector<Point>& points, const StraightCaps& caps, std::size_t sites);
 
   /**
    * Add the winding number at site order[i] to w[order[i]], for all i. Fastest
@@ -38,7 +43,8 @@ private:
   const BoxTree& TreeOf(std::size_t cap) const;
   void AddBlocks(const Sites& sites, const std::vector<Id>& order, std::size_t first,
     std::size_t last, std::vector<double>& w) const;
-  void AddTriangles(const Sites& sites, SiteProducts& block, double (&labels)[Lanes]) const;
+  void AddTriangles(const std::vector<Id>& groups, const Sites& sites, SiteProducts& block,
+    double (&labels)[Lanes]) const;
   double MultiplyByUndecided(
     std::size_t triangle, const Site& site, Products& products, int lane) const;
   bool MayBeAmid(const StraightCap& cap, const RoundedSite& site) const;
@@ -47,8 +53,10 @@ private:
 
   const std::vector<Point>& Points;
   const StraightCaps& Caps;
-  std::vector<CapTriangle> Triangles; ///< each repeated by its count
-  std::vector<std::size_t> CapOf;     ///< per triangle
+  std::vector<CapTriangle> Triangles;        ///< each repeated by its count
+  std::vector<std::size_t> CapOf;            ///< per triangle
+  std::vector<std::size_t> FirstOfGroup;     ///< its first triangle; and the end
+  std::unique_ptr<const MultipoleTree> Tree; ///< of the groups
   SliverTree Slivers;
   mutable std::vector<BoxTree> Trees; ///< per cap, made on demand
   std::unique_ptr<std::once_flag[]> IsTreeMade;

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "WindingNumber/Multipole.h"
+#include "WindingNumber/SolidAngleTiles.h"
+
+namespace insideout
+{
+struct Ball
+{
+  Point Centre;
+  double Radius;
+};
+
+/** Centered at the middle of the sites' box. */
+Ball BallAround(const SiteBlock& sites);
+
+/** Coordinates are below 2^50, so that their squares do not overflow. */
+double QuickDistance(const Point& a, const Point& b);
+
+/** The area of triangles, counted as often as they, rounded up. */
+double AreaOf(const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles);
+
+/**
+ * Groups of triangles in a binary tree. Far from a node its winding number is a Multipole, up to
+ * 2^-51 and rounding. So the far groups cost a site as much as the logarithm of their number. The
+ * near groups are left to the caller.
+ */
+class MultipoleTree
+{
+public:
+  /**
+   * @param[in] groups in an order in which neighbors are near each other; their triangles are not
+   * degenerate
+   * @param[in] sites how many will be asked for; if these are few, all groups count as near
+   */
+  MultipoleTree(const std::vector<Point>& points,
+    const std::vector<std::vector<CountedTriangle>>& groups, std::size_t sites);
+
+  /** The nodes that take the place of all groups but the near ones, for some sites. */
+  struct Selection
+  {
+    struct Part
+    {
+      Id Node;
+      int Degree;
+    };
+    std::vector<Part> Far;
+    std::vector<Id> Near; ///< groups, in their order
+  };
+
+  void Select(const Ball& sites, Selection& selection) const;
+
+  /** Add the far part to each site's value. */
+  void Add(const Selection& selection, const SiteBlock& sites, double (&w)[Lanes]) const;
+
+private:
+  struct Node
+  {
+    std::size_t First, Last; ///< of its groups
+    Id Next;                 ///< the node after this one's descendants
+    Ball Around;
+    double Area;
+    std::array<double, MultipoleDegree + 1> Reach; ///< distance from which each degree serves
+    Multipole Field;                               ///< in units of the last one of these
+  };
+
+  void Build(const std::vector<Point>& points,
+    const std::vector<std::vector<CountedTriangle>>& groups, std::size_t first, std::size_t last);
+  void SetReach(Node& node) const;
+  static void SharpenReach(Node& node);
+  static void Expand(const std::vector<Point>& points, const std::vector<CountedTriangle>& group,
+    const Sites& samples, const std::vector<SiteProducts>& blocks, Node& node);
+  static void Join(
+    const std::vector<SiteProducts>& blocks, Node& node, const Node& left, const Node& right);
+
+  std::size_t NumberOfGroups;
+  std::vector<Node> Nodes;
+};
+} // namespace insideout
