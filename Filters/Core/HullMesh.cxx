@@ -171,6 +171,7 @@ HullMesh ResolveHull(
 void MeshResolvedHull(const HullMeshParameters& parameters, HullMesh& hull, Monitor& monitor)
 {
   Stopwatch stopwatch;
+  hull.Mesh = {}; // its points would take memory twice
   Tetrahedralization result = parameters.PartsApart
     ? TetrahedralizeApart(hull.Surface, parameters.Budgets, monitor)
     : ConstrainedDelaunay(hull.Surface, parameters.Budgets, monitor);

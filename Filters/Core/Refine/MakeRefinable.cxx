@@ -91,6 +91,20 @@ std::vector<FacetOfInput> FacetsOf(const TetrahedralMesh& mesh, const std::vecto
   return facets;
 }
 
+void SetFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& mesh)
+{
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    for (const Id face : facets[f].Faces)
+    {
+      if (face != None)
+      {
+        mesh.SetFacet(face / 4, CornerAcrossFrom[face % 4], static_cast<Id>(f));
+      }
+    }
+  }
+}
+
 RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<FacetOfInput>& facets)
 {
@@ -110,17 +124,7 @@ RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& 
       }
       return cell;
     });
-  for (std::size_t f = 0; f < facets.size(); ++f)
-  {
-    for (const Id face : facets[f].Faces)
-    {
-      if (face != None)
-      {
-        result.SetFacet(face / 4, CornerAcrossFrom[face % 4], static_cast<Id>(f));
-      }
-    }
-  }
+  SetFacets(facets, result);
   return result;
 }
-
 } // namespace insideout

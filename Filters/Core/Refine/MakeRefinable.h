@@ -22,6 +22,9 @@ void CheckCells(const TetrahedralMesh& mesh);
 std::vector<FacetOfInput> FacetsOf(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<std::array<Id, 4>>& labels);
 
+/** Make the faces that facets name, 4 * cell + face, pieces of these. */
+void SetFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& mesh);
+
 /** The mesh with its facets. */
 RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<FacetOfInput>& facets);

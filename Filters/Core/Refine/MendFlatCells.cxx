@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,9 @@ constexpr int MostSteps = 2;
 /** Beyond 2 to this power shapes might over- or underflow. */
 constexpr int LargestOrdinaryExponent = 60;
 
+constexpr double NanosecondsPerNeighbor = 5;
+constexpr double NanosecondsPerFace = 50;
+
 /** Per cell, whether isFlat(cell) says so; on several threads. */
 template <typename IsFlat>
 std::vector<char> FlatCells(std::size_t count, const IsFlat& isFlat)
@@ -44,116 +48,141 @@ std::vector<char> FlatCells(std::size_t count, const IsFlat& isFlat)
   return flat;
 }
 
-/** The cells near flat ones as a mesh of their own, without Origins and LostFacets. */
-struct NearFlatCells
+/** The cells near flat ones, with numbers of their own. */
+class NearFlatCells
 {
-  TetrahedralMesh Mesh;
-  std::vector<Id> Cells;                 ///< of the whole mesh, ascending
-  std::vector<Id> Points;                ///< the same
-  std::vector<std::array<Id, 4>> Beyond; ///< per cell and face, the neighbor in the whole mesh
-
+public:
   /** @param[in] chosen the flat cells */
   NearFlatCells(const TetrahedralMesh& whole, std::vector<char> chosen)
+    : Whole(whole)
+    , NumberOfCell(whole.Cells.size(), None)
+    , NumberOfPoint(whole.Points.size(), None)
   {
     for (int step = 0; step < MostSteps; ++step)
     {
-      ChooseNeighbors(whole, chosen);
+      this->ChooseNeighbors(chosen);
     }
-    std::vector<Id> numbers(whole.Cells.size(), None);
-    for (Id c = 0; c < whole.NumberOfCells(); ++c)
-    {
-      if (chosen[c] != 0)
-      {
-        numbers[c] = static_cast<Id>(this->Cells.size());
-        this->Cells.push_back(c);
-        this->Beyond.push_back(whole.Neighbors[c]);
-        this->Mesh.Cells.push_back(whole.Cells[c]);
-        this->Mesh.Facets.push_back(whole.Facets[c]);
-        this->Mesh.FacetSides.push_back(whole.FacetSides[c]);
-      }
-    }
-    this->Mesh.Neighbors = this->Beyond;
-    for (std::array<Id, 4>& neighbors : this->Mesh.Neighbors)
-    {
-      for (Id& neighbor : neighbors)
-      {
-        neighbor = neighbor == None ? None : numbers[neighbor];
-      }
-    }
-    this->NumberPoints(whole);
+    this->Cells = Number(chosen, this->NumberOfCell);
+    this->Points = Number(this->PointsOf(chosen), this->NumberOfPoint);
   }
+
+  /** The neighbor across a face of a cell, None if it is not near. */
+  Id NeighborOf(Id cell, int k) const
+  {
+    const Id neighbor = this->Whole.Neighbors[this->Cells[cell]][k];
+    return neighbor == None ? None : this->NumberOfCell[neighbor];
+  }
+
+  /** Faces that stay: those on facets, and those of one cell. */
+  std::vector<FacetOfInput> FixedFaces() const
+  {
+    std::vector<Id> fixed; // 4 * cell + face
+    for (Id c = 0; c < this->NumberOfCells(); ++c)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const Id neighbor = this->NeighborOf(c, k);
+        if (neighbor == None || (c < neighbor && this->Whole.Facets[this->Cells[c]][k] != None))
+        {
+          fixed.push_back(4 * c + k);
+        }
+      }
+    }
+    std::vector<FacetOfInput> faces(fixed.size());
+    ParallelLoop(faces.size(), NanosecondsPerFace,
+      [&](std::size_t f) { faces[f] = this->FixedFace(fixed[f] / 4, fixed[f] % 4); });
+    return faces;
+  }
+
+  RefinableMesh MakeRefinable(const std::vector<FacetOfInput>& fixed) const
+  {
+    RefinableMesh mesh;
+    for (const Id point : this->Points)
+    {
+      mesh.AddPoint(
+        this->Whole.Points[point], PointKind::Free, std::numeric_limits<double>::infinity());
+    }
+    mesh.SetCells(this->Cells.size(),
+      [this](Id c)
+      {
+        const std::array<Id, 4> none = { { None, None, None, None } };
+        RefinableCell cell = { { 0, c, 0 }, this->Whole.Cells[this->Cells[c]], none, none };
+        for (int k = 0; k < 4; ++k)
+        {
+          cell.Corners[k] = this->NumberOfPoint[cell.Corners[k]];
+          cell.Neighbors[CornerAcrossFrom[k]] = this->NeighborOf(c, k);
+        }
+        return cell;
+      });
+    SetFacets(fixed, mesh);
+    return mesh;
+  }
+
+  Id NumberOfCells() const { return static_cast<Id>(this->Cells.size()); }
+
+  const TetrahedralMesh& Whole;
+  std::vector<Id> Cells;  ///< of the whole mesh, ascending
+  std::vector<Id> Points; ///< the same
 
 private:
-  /** Choose all cells that share a point with a chosen one. */
-  static void ChooseNeighbors(const TetrahedralMesh& whole, std::vector<char>& chosen)
+  /** Per point, whether a chosen cell has it. */
+  std::vector<char> PointsOf(const std::vector<char>& chosen) const
   {
-    std::vector<char> near(whole.Points.size(), 0);
-    for (std::size_t c = 0; c < chosen.size(); ++c)
-    {
-      for (int i = 0; i < 4 && chosen[c] != 0; ++i)
+    std::vector<char> near(this->Whole.Points.size(), 0);
+    ParallelLoop(chosen.size(), NanosecondsPerNeighbor,
+      [&](std::size_t c)
       {
-        near[whole.Cells[c][i]] = 1;
-      }
-    }
-    for (std::size_t c = 0; c < chosen.size(); ++c)
-    {
-      const Tetrahedron& cell = whole.Cells[c];
-      chosen[c] = near[cell[0]] | near[cell[1]] | near[cell[2]] | near[cell[3]];
-    }
-  }
-
-  void NumberPoints(const TetrahedralMesh& whole)
-  {
-    std::vector<Id> numbers(whole.Points.size(), None);
-    for (const Tetrahedron& cell : this->Mesh.Cells)
-    {
-      for (const Id corner : cell)
-      {
-        numbers[corner] = 0;
-      }
-    }
-    for (Id p = 0; p < static_cast<Id>(numbers.size()); ++p)
-    {
-      if (numbers[p] != None)
-      {
-        numbers[p] = static_cast<Id>(this->Points.size());
-        this->Points.push_back(p);
-        this->Mesh.Points.push_back(whole.Points[p]);
-      }
-    }
-    for (Tetrahedron& cell : this->Mesh.Cells)
-    {
-      for (Id& corner : cell)
-      {
-        corner = numbers[corner];
-      }
-    }
-  }
-};
-
-/** Faces that stay: those on facets, and those of one cell. */
-std::vector<FacetOfInput> FixedFaces(const TetrahedralMesh& mesh)
-{
-  std::vector<FacetOfInput> faces;
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id neighbor = mesh.Neighbors[c][k];
-      if (neighbor == None || (mesh.Facets[c][k] != None && c < neighbor))
-      {
-        Id mirror = None;
-        for (int j = 0; j < 4 && neighbor != None; ++j)
+        for (int i = 0; i < 4 && chosen[c] != 0; ++i)
         {
-          mirror = mesh.Neighbors[neighbor][j] == c ? 4 * neighbor + j : mirror;
+          __atomic_store_n(&near[this->Whole.Cells[c][i]], char(1), __ATOMIC_RELAXED);
         }
-        faces.push_back(
-          { CornersOf(mesh.Points, FaceOf(mesh.Cells[c], k)), { { 4 * c + k, mirror } }, 0 });
+      });
+    return near;
+  }
+
+  /** Choose all cells that share a point with a chosen one. */
+  void ChooseNeighbors(std::vector<char>& chosen) const
+  {
+    const std::vector<char> near = this->PointsOf(chosen);
+    ParallelLoop(chosen.size(), NanosecondsPerNeighbor,
+      [&](std::size_t c)
+      {
+        const Tetrahedron& cell = this->Whole.Cells[c];
+        chosen[c] = near[cell[0]] | near[cell[1]] | near[cell[2]] | near[cell[3]];
+      });
+  }
+
+  /** Number the chosen ones. @return them, ascending */
+  static std::vector<Id> Number(const std::vector<char>& chosen, std::vector<Id>& numbers)
+  {
+    std::vector<Id> list;
+    list.reserve(static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), 1)));
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+    {
+      if (chosen[i] != 0)
+      {
+        numbers[i] = static_cast<Id>(list.size());
+        list.push_back(static_cast<Id>(i));
       }
     }
+    return list;
   }
-  return faces;
-}
+
+  FacetOfInput FixedFace(Id cell, int k) const
+  {
+    const Id neighbor = this->NeighborOf(cell, k);
+    Id mirror = None;
+    for (int j = 0; j < 4 && neighbor != None; ++j)
+    {
+      mirror = this->NeighborOf(neighbor, j) == cell ? 4 * neighbor + j : mirror;
+    }
+    return { CornersOf(this->Whole.Points, FaceOf(this->Whole.Cells[this->Cells[cell]], k)),
+      { { 4 * cell + k, mirror } }, 0 };
+  }
+
+  std::vector<Id> NumberOfCell;  // per cell of the whole mesh, None if it is not near
+  std::vector<Id> NumberOfPoint; // the same
+};
 
 class FlatCellMending
 {
@@ -241,9 +270,14 @@ void RemoveCells(TetrahedralMesh& mesh, const std::vector<Id>& gone)
   }
   std::vector<Id> numbers(mesh.Cells.size(), None);
   Id count = 0;
+  auto next = gone.begin();
   for (Id c = 0; c < mesh.NumberOfCells(); ++c)
   {
-    if (!std::binary_search(gone.begin(), gone.end(), c))
+    if (next != gone.end() && *next == c)
+    {
+      ++next;
+    }
+    else
     {
       numbers[c] = count;
       mesh.Cells[count] = mesh.Cells[c];
@@ -263,12 +297,29 @@ void RemoveCells(TetrahedralMesh& mesh, const std::vector<Id>& gone)
   }
 }
 
-/** A fixed face, 4 * cell + face of the mesh before, on the side from which `corners` are seen. */
-Id FaceBefore(const TetrahedralMesh& before, const FacetOfInput& fixed, const Triangle& corners)
+/** A fixed face as the first of its cells sees it. */
+struct FaceBefore
 {
-  const auto [one, other] = fixed.Faces;
-  const Triangle face = FaceOf(before.Cells[one / 4], one % 4);
-  return SortedTriangle(face).Turned == SortedTriangle(corners).Turned ? one : other;
+  bool Turned;
+  std::int8_t Side;
+  Id Facet;
+  Id Neighbor; ///< in the whole mesh
+};
+
+std::vector<FaceBefore> FacesBefore(
+  const NearFlatCells& near, const std::vector<FacetOfInput>& fixed)
+{
+  std::vector<FaceBefore> faces(fixed.size());
+  ParallelLoop(faces.size(), NanosecondsPerFace,
+    [&](std::size_t f)
+    {
+      const TetrahedralMesh& whole = near.Whole;
+      const Id cell = near.Cells[fixed[f].Faces[0] / 4];
+      const int k = fixed[f].Faces[0] % 4;
+      faces[f] = { SortedTriangle(FaceOf(whole.Cells[cell], k)).Turned, whole.FacetSides[cell][k],
+        whole.Facets[cell][k], whole.Neighbors[cell][k] };
+    });
+  return faces;
 }
 
 /** Make a cell the neighbor of another across a face of both. */
@@ -288,6 +339,7 @@ void SetNeighbor(TetrahedralMesh& mesh, Id other, const Triangle& face, Id cell)
 void PutBack(const NearFlatCells& near, const RefinableMesh& mended,
   const std::vector<FacetOfInput>& fixed, TetrahedralMesh& whole)
 {
+  const std::vector<FaceBefore> before = FacesBefore(near, fixed);
   for (std::size_t p = 0; p < near.Points.size(); ++p)
   {
     whole.Points[near.Points[p]] = mended.Points[p];
@@ -306,36 +358,38 @@ void PutBack(const NearFlatCells& near, const RefinableMesh& mended,
     numbers[c] = mended.IsDead(c) ? None : *next++;
   }
   ResizeCells(whole, whole.Cells.size() + free.size() - near.Cells.size());
-  for (Id c = 0; c < mended.NumberOfCells(); ++c)
-  {
-    const RefinableCell& cell = mended.Cell(c);
-    const Id number = numbers[c];
-    for (int i = 0; i < 4 && number != None; ++i)
+  ParallelLoop(mended.NumberOfCells(), NanosecondsPerFace,
+    [&](Id c)
     {
-      whole.Cells[number][i] = near.Points[cell.Corners[i]];
-    }
-    for (int k = 0; k < 4 && number != None; ++k)
-    {
-      const Id inner = cell.Neighbors[CornerAcrossFrom[k]];
-      Id neighbor = inner == None ? None : numbers[inner];
-      Id facet = None;
-      std::int8_t side = 0;
-      if (const Id f = cell.Facets[CornerAcrossFrom[k]]; f != None)
+      const RefinableCell& cell = mended.Cell(c);
+      const Id number = numbers[c];
+      for (int i = 0; i < 4 && number != None; ++i)
       {
-        const Id face = FaceBefore(near.Mesh, fixed[f], FaceOf(cell.Corners, k));
-        facet = near.Mesh.Facets[face / 4][face % 4];
-        side = near.Mesh.FacetSides[face / 4][face % 4];
-        if (inner == None && near.Beyond[face / 4][face % 4] != None)
-        {
-          neighbor = near.Beyond[face / 4][face % 4];
-          SetNeighbor(whole, neighbor, FaceOf(whole.Cells[number], k), number);
-        }
+        whole.Cells[number][i] = near.Points[cell.Corners[i]];
       }
-      whole.Neighbors[number][k] = neighbor;
-      whole.Facets[number][k] = facet;
-      whole.FacetSides[number][k] = side;
-    }
-  }
+      for (int k = 0; k < 4 && number != None; ++k)
+      {
+        const Id inner = cell.Neighbors[CornerAcrossFrom[k]];
+        Id neighbor = inner == None ? None : numbers[inner];
+        Id facet = None;
+        std::int8_t side = 0;
+        if (const Id f = cell.Facets[CornerAcrossFrom[k]]; f != None)
+        {
+          const FaceBefore& face = before[f];
+          const bool isSame = SortedTriangle(FaceOf(cell.Corners, k)).Turned == face.Turned;
+          facet = face.Facet;
+          side = static_cast<std::int8_t>(isSame ? face.Side : -face.Side);
+          if (inner == None && face.Neighbor != None)
+          {
+            neighbor = face.Neighbor;
+            SetNeighbor(whole, neighbor, FaceOf(whole.Cells[number], k), number);
+          }
+        }
+        whole.Neighbors[number][k] = neighbor;
+        whole.Facets[number][k] = facet;
+        whole.FacetSides[number][k] = side;
+      }
+    });
   RemoveCells(whole, { next, free.end() });
 }
 } // namespace
@@ -351,8 +405,8 @@ void MendFlatCells(TetrahedralMesh& mesh, Monitor& monitor)
     return;
   }
   const NearFlatCells near(mesh, std::move(flat));
-  const std::vector<FacetOfInput> fixed = FixedFaces(near.Mesh);
-  RefinableMesh refinable = MakeRefinable(near.Mesh, {}, fixed);
+  const std::vector<FacetOfInput> fixed = near.FixedFaces();
+  RefinableMesh refinable = near.MakeRefinable(fixed);
   std::vector<char> isMovable;
   for (const Id p : near.Points)
   {

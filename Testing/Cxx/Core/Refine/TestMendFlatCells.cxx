@@ -3,7 +3,9 @@
 
 #include "Common/PointPredicates.h"
 #include "Common/RawTetrahedra.h"
+#include "Common/Team.h"
 #include "Refine/CellShape.h"
+#include "Support/AllowedThreads.h"
 #include "Support/TestTetrahedra.h"
 #include "Tetrahedralize/AssembleMesh.h"
 
@@ -148,4 +150,30 @@ TEST(MendFlatCells, MovesSteinerPointsAlone)
   TetrahedralMesh given = AssembleMesh(withPoint, raw, monitor);
   MendFlatCells(given, monitor);
   EXPECT_EQ(given.Points, raw.Points);
+}
+
+TEST(MendFlatCells, IsTheSameOnAnyNumberOfThreads)
+{
+  const WholeTeams teams;
+  TetrahedralMesh mesh = testtetrahedra::EvenGrid(5);
+  testtetrahedra::Flatten(mesh, 1);
+  testtetrahedra::RandomFaces(mesh, 1);
+  const auto mendedOn = [&mesh](int threads)
+  {
+    const testthreads::Allowed allowed(threads);
+    TetrahedralMesh mended = mesh;
+    Monitor monitor;
+    MendFlatCells(mended, monitor);
+    return mended;
+  };
+  const TetrahedralMesh alone = mendedOn(1);
+  EXPECT_NE(alone.Cells, mesh.Cells);
+  for (const int threads : { 2, 8 })
+  {
+    const TetrahedralMesh together = mendedOn(threads);
+    EXPECT_EQ(together.Cells, alone.Cells);
+    EXPECT_EQ(together.Neighbors, alone.Neighbors);
+    EXPECT_EQ(together.Facets, alone.Facets);
+    EXPECT_EQ(together.FacetSides, alone.FacetSides);
+  }
 }
