@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace insideout
 {
@@ -98,7 +99,7 @@ void CheckSize(std::size_t cells)
  * Values divided by their mean; all 0 if the mean is. Scaled first, so that the sum cannot
  * overflow.
  */
-void DivideByMean(std::vector<double>& values)
+void DivideByMean(RawVector<double>& values)
 {
   double largest = 0;
   for (const double value : values)
@@ -107,28 +108,20 @@ void DivideByMean(std::vector<double>& values)
   }
   int exponent = 0;
   std::frexp(largest, &exponent);
-  double sum = 0;
-  for (double& value : values)
-  {
-    value = std::ldexp(value, -exponent);
-    sum += value;
-  }
+  ParallelLoop(values.size(), NanosecondsPerFace,
+    [&](std::size_t i) { values[i] = std::ldexp(values[i], -exponent); });
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0); // in one order: it rounds
   const double mean = sum / static_cast<double>(values.size());
-  for (double& value : values)
-  {
-    value = mean > 0 ? value / mean : 0;
-  }
+  ParallelLoop(values.size(), NanosecondsPerFace,
+    [&](std::size_t i) { values[i] = mean > 0 ? values[i] / mean : 0; });
 }
 
 /** v_ij for different labels, per face (8.10). */
-std::vector<double> SmoothnessTerms(const CellGraph& graph, double sigma)
+RawVector<double> SmoothnessTerms(const CellGraph& graph, double sigma)
 {
-  std::vector<double> terms;
-  terms.reserve(graph.Faces.size());
-  for (const InteriorFace& face : graph.Faces)
-  {
-    terms.push_back(face.Area);
-  }
+  RawVector<double> terms(graph.Faces.size());
+  ParallelLoop(
+    terms.size(), NanosecondsPerFace, [&](std::size_t f) { terms[f] = graph.Faces[f].Area; });
   DivideByMean(terms);
   ParallelLoop(terms.size(), NanosecondsPerFace,
     [&](std::size_t f)
@@ -172,7 +165,7 @@ CutEnergy::CutEnergy(const CellGraph& graph, const GraphCutParameters& parameter
   CheckFaces(graph.Faces, graph.W.size());
   if (parameters.DataTerm == DataTerm::VolumeWeighted)
   {
-    this->Weights = graph.Volumes;
+    this->Weights.assign(graph.Volumes.begin(), graph.Volumes.end());
     DivideByMean(this->Weights);
   }
   this->Smoothness = SmoothnessTerms(graph, parameters.Sigma);
@@ -207,7 +200,7 @@ void CutEnergy::MakeIntegers()
 
   this->Shift = shift - gammaExponent;
 
-  std::vector<std::int64_t> costs(faces.size());
+  RawVector<std::int64_t> costs(faces.size());
   ParallelLoop(faces.size(), NanosecondsPerFace,
     [&](std::size_t f) { costs[f] = ToInteger(scaledGamma * this->Smoothness[f], shift); });
   this->ListNeighbors(costs);
@@ -217,6 +210,8 @@ void CutEnergy::MakeIntegers()
     [&](std::size_t i)
     {
       const Id cell = static_cast<Id>(i);
+      this->NeighborsOfCells.Sort(
+        i, [](const Neighbor& a, const Neighbor& b) { return a.Face < b.Face; });
       std::int64_t all = 0;
       for (const Neighbor& neighbor : this->Neighbors(cell))
       {
@@ -235,21 +230,22 @@ void CutEnergy::MakeIntegers()
     });
 }
 
-void CutEnergy::ListNeighbors(const std::vector<std::int64_t>& costs)
+void CutEnergy::ListNeighbors(const RawVector<std::int64_t>& costs)
 {
   const std::vector<InteriorFace>& faces = this->Graph.Faces;
-  this->NeighborsOfCells = Buckets<Neighbor>(this->Graph.W.size(),
-    [&](auto visit)
-    {
-      for (std::size_t f = 0; f < faces.size(); ++f)
+  this->NeighborsOfCells =
+    Buckets<Neighbor>::Unordered(this->Graph.W.size(), faces.size(), NanosecondsPerFace,
+      [&](std::size_t f, const auto& visit)
       {
         if (costs[f] > 0)
         {
-          visit(static_cast<std::size_t>(faces[f].First), Neighbor{ faces[f].Second, costs[f] });
-          visit(static_cast<std::size_t>(faces[f].Second), Neighbor{ faces[f].First, costs[f] });
+          const Id first = faces[f].First;
+          const Id second = faces[f].Second;
+          const auto face = static_cast<std::uint32_t>(f);
+          visit(static_cast<std::size_t>(first), Neighbor{ second, face, costs[f] });
+          visit(static_cast<std::size_t>(second), Neighbor{ first, face, costs[f] });
         }
-      }
-    });
+      });
 }
 
 double CutEnergy::ExtraInside(Id cell) const

@@ -5,6 +5,7 @@
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace insideout
@@ -97,7 +98,8 @@ public:
   struct Neighbor
   {
     Id Cell;
-    std::int64_t Cost; ///< above 0
+    std::uint32_t Face; ///< the neighbors of a cell are in this order
+    std::int64_t Cost;  ///< above 0
   };
 
   /**
@@ -134,13 +136,13 @@ public:
 private:
   double Weight(Id cell) const { return this->Weights.empty() ? 1 : this->Weights[cell]; }
   void MakeIntegers();
-  void ListNeighbors(const std::vector<std::int64_t>& costs);
+  void ListNeighbors(const RawVector<std::int64_t>& costs);
 
   const CellGraph& Graph;
   const double Gamma;
-  std::vector<double> Weights;    ///< of data terms, one per cell; empty for 1
-  std::vector<double> Smoothness; ///< v_ij for different labels, one per face
-  std::vector<std::int64_t> Gains;
+  RawVector<double> Weights;    ///< of data terms, one per cell; empty for 1
+  RawVector<double> Smoothness; ///< v_ij for different labels, one per face
+  RawVector<std::int64_t> Gains;
   int Shift = 0; ///< costs are E's times 2 to this power
   Buckets<Neighbor> NeighborsOfCells;
 };

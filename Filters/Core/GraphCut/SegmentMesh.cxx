@@ -114,6 +114,9 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
   const CutEnergy energy(graph, parameters.Cut);
   monitor.Check(Stages::Segmenting, BeforeCut);
   const std::vector<unsigned char> cut = MinimumCut(energy);
+  const double energyOfCut = energy.Of(cut);
+  const auto energyOf = [&](const std::vector<unsigned char>& inside)
+  { return inside == cut ? energyOfCut : energy.Of(inside); };
   monitor.Check(Stages::Segmenting, BeforeFacets);
 
   GreedyLabels labels(energy, cut);
@@ -132,7 +135,7 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
   ControlledTopology topology;
   if (parameters.Topology.ChangeNothing())
   {
-    topology.EnergyBefore = energy.Of(result.Inside);
+    topology.EnergyBefore = energyOf(result.Inside);
   }
   else
   {
@@ -174,9 +177,8 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
       (!hasSeeds ? "the hull is not manifold there" : "seeds that are to be outside forbid it"));
   }
   const Id changed = CountDifferent(result.Inside, cut);
-  const double energyOfCut = energy.Of(cut);
-  result.Statistics = { { "Energy", changed == 0 ? energyOfCut : energy.Of(result.Inside) },
-    { "EnergyOfCut", energyOfCut }, { "ForcedFacets", kept.Forced },
+  result.Statistics = { { "Energy", energyOf(result.Inside) }, { "EnergyOfCut", energyOfCut },
+    { "ForcedFacets", kept.Forced },
     { "ForcedCells", labels.NumberOfForced() + topology.ForcedCells }, { "ChangedCells", changed },
     { "UnsatisfiedFacets", unsatisfied + dropped }, { "NonManifoldPoints", filled.LeftPoints },
     { "SeedConflicts", seeded.Conflicts + unsatisfied + filled.LeftPoints + lostSeeds } };

@@ -407,6 +407,34 @@ TEST(GraphCutSegmentation, IsTheSameForAnyNumberOfThreads)
   omp_set_num_threads(before);
 }
 
+TEST(CutEnergy, NeighborsAreInTheOrderOfFacesOnAnyNumberOfThreads)
+{
+  const Problem problem = HullProblem(TornBall(16));
+  const WholeTeams teams;
+  const int before = omp_get_max_threads();
+  for (const int threads : { 1, 2, 8 })
+  {
+    omp_set_num_threads(threads);
+    const CutEnergy energy(problem, problem.Parameters);
+    std::size_t count = 0;
+    for (Id cell = 0; cell < energy.NumberOfCells(); ++cell)
+    {
+      const auto neighbors = energy.Neighbors(cell);
+      count += neighbors.Size();
+      EXPECT_TRUE(std::is_sorted(neighbors.begin(), neighbors.end(),
+        [](const CutEnergy::Neighbor& a, const CutEnergy::Neighbor& b)
+        { return a.Face < b.Face; }));
+      for (const CutEnergy::Neighbor& neighbor : neighbors)
+      {
+        const auto& [first, second, area] = problem.Faces[neighbor.Face];
+        EXPECT_EQ(first == cell ? second : first, neighbor.Cell);
+      }
+    }
+    EXPECT_GT(count, problem.Faces.size());
+  }
+  omp_set_num_threads(before);
+}
+
 TEST(GraphCutSegmentation, ReturnsTheSolidOfAClosedSurfaceWithDefaults)
 {
   for (unsigned seed = 0; seed < 5; ++seed)
