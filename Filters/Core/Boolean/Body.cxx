@@ -23,7 +23,9 @@ Body MakeBody(std::string name, TriangleSoup soup, Id firstPoint, Id firstTriang
 
 std::vector<Body> OneBody(TriangleSoup soup)
 {
-  return { MakeBody({}, std::move(soup), 0, 0) };
+  std::vector<Body> bodies; // a list of initial values would be copied
+  bodies.push_back(MakeBody({}, std::move(soup), 0, 0));
+  return bodies;
 }
 
 namespace

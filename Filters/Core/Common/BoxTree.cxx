@@ -68,24 +68,25 @@ struct BoxTree::Part
   }
 };
 
-BoxTree::BoxTree(const std::vector<Box>& given)
+BoxTree::BoxTree(const Box* given, std::size_t size)
 {
-  if (given.empty())
+  if (size == 0)
   {
     return;
   }
-  const Id count = static_cast<Id>(given.size());
-  std::vector<Centre> centres;
-  centres.reserve(given.size());
-  for (const auto& [low, high] : given)
-  {
-    centres.push_back(
-      { { low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2, low[2] / 2 + high[2] / 2 },
-        static_cast<Id>(centres.size()) });
-  }
+  const Id count = static_cast<Id>(size);
+  RawVector<Centre> centres(size);
+  ParallelLoop(count, NanosecondsPerBox,
+    [&](Id i)
+    {
+      const auto& [low, high] = given[i];
+      centres[i] = {
+        { low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2, low[2] / 2 + high[2] / 2 }, i
+      };
+    });
   this->Nodes.resize(NumberOfNodes(count));
-  this->Order.resize(given.size());
-  this->Boxes.resize(given.size());
+  this->Order.resize(size);
+  this->Boxes.resize(size);
   std::vector<Part> above; // the ranges of the levels that are divided one by one
   std::vector<Part> level = { { 0, count, 0 } };
   const auto forEach = [&](double cost, const auto& body)
@@ -114,12 +115,11 @@ BoxTree::BoxTree(const std::vector<Box>& given)
 
 BoxTree BoxTree::OfPoints(const std::vector<Point>& points)
 {
-  std::vector<Box> boxes;
-  boxes.reserve(points.size());
-  for (const Point& point : points)
-  {
-    boxes.push_back({ point, point });
-  }
+  RawVector<Box> boxes(points.size());
+  ParallelLoop(points.size(), NanosecondsPerBox,
+    [&](std::size_t p) {
+      boxes[p] = { points[p], points[p] };
+    });
   return BoxTree(boxes);
 }
 
@@ -146,7 +146,7 @@ std::vector<Id> BoxTree::SetsOfParts(const std::vector<Id>& setOf) const
 }
 
 /** Partition the centers of a range into halves along the axis of their largest extent. */
-void BoxTree::Divide(std::vector<Centre>& centres, const Part& part)
+void BoxTree::Divide(RawVector<Centre>& centres, const Part& part)
 {
   Box bounds = Box::Empty();
   for (Id k = part.Begin; k < part.End; ++k)
@@ -161,7 +161,7 @@ void BoxTree::Divide(std::vector<Centre>& centres, const Part& part)
 }
 
 /** Builds the subtree over a range. */
-void BoxTree::Build(std::vector<Centre>& centres, const std::vector<Box>& given, const Part& part)
+void BoxTree::Build(RawVector<Centre>& centres, const Box* given, const Part& part)
 {
   if (part.Size() > LeafSize)
   {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Box.h"
+#include "Common/RawVector.h"
 
 #include <array>
 #include <utility>
@@ -13,7 +14,14 @@ namespace insideout
 class BoxTree
 {
 public:
-  explicit BoxTree(const std::vector<Box>& boxes);
+  explicit BoxTree(const std::vector<Box>& boxes)
+    : BoxTree(boxes.data(), boxes.size())
+  {
+  }
+  explicit BoxTree(const RawVector<Box>& boxes)
+    : BoxTree(boxes.data(), boxes.size())
+  {
+  }
 
   /** The same over points. */
   static BoxTree OfPoints(const std::vector<Point>& points);
@@ -248,12 +256,13 @@ private:
 
   struct Part;
   struct Centre;
-  static void Divide(std::vector<Centre>& centres, const Part& part);
-  void Build(std::vector<Centre>& centres, const std::vector<Box>& given, const Part& part);
+  BoxTree(const Box* given, std::size_t count);
+  static void Divide(RawVector<Centre>& centres, const Part& part);
+  void Build(RawVector<Centre>& centres, const Box* given, const Part& part);
   void Join(const Part& part);
 
-  std::vector<Id> Order;  ///< of the boxes in the leaves
-  std::vector<Box> Boxes; ///< indices in that order
-  std::vector<Node> Nodes;
+  RawVector<Id> Order;  ///< of the boxes in the leaves
+  RawVector<Box> Boxes; ///< in that order
+  RawVector<Node> Nodes;
 };
 } // namespace insideout

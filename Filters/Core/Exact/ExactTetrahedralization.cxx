@@ -25,6 +25,7 @@ RawTetrahedra ResultOf(
   result.Points = points;
   std::vector<Id> renamed(static_cast<std::size_t>(mesh.Vertices().Size()), None);
   std::iota(renamed.begin(), renamed.begin() + mesh.Infinite(), 0);
+  result.Cells.reserve(static_cast<std::size_t>(mesh.NumberOfCells()));
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
     if (mesh.IsDead(cell) || mesh.IsInfinite(cell))
@@ -42,6 +43,8 @@ RawTetrahedra ResultOf(
       corner = renamed[corner];
     }
   }
+  result.Faces.reserve(names.size());
+  result.FacetOfFaces.reserve(names.size());
   mesh.VisitFacets(
     [&](Id id, int k)
     {

@@ -3,6 +3,7 @@
 
 #include "Common/Error.h"
 #include "Common/ParallelLoop.h"
+#include "Common/RawVector.h"
 #include "Common/SortedTriangle.h"
 #include "Mesh/CellMarks.h"
 #include "Mesh/PendingFaces.h"
@@ -225,7 +226,7 @@ protected:
     }
   }
 
-  std::vector<CellType> Cells;
+  RawVector<CellType> Cells;
   std::vector<Id> CellOf;                 ///< per vertex, None for none
   std::vector<std::int64_t> ChangeAround; ///< per vertex
 

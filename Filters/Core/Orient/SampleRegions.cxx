@@ -58,6 +58,8 @@ struct Stretch
 
 /** A line may meet an edge: it is replaced by up to this many others. */
 constexpr int MostTries = 16;
+
+constexpr double NanosecondsPerTriangle = 20; ///< for its area and its box
 } // namespace
 
 /** All triangles of all shells, to draw lines through. */
@@ -66,27 +68,43 @@ class RegionSampler::Scene
 public:
   Scene(const std::vector<Point>& points, const std::vector<ShellChain>& chains)
   {
-    std::vector<Box> boxes;
+    std::size_t count = 0;
+    for (const ShellChain& chain : chains)
+    {
+      count += chain.Kind == ShellKind::Sheet ? 0 : chain.Triangles.size();
+    }
+    this->Facets.resize(count);
+    RawVector<Box> boxes(count);
+    std::size_t first = 0;
     for (Id shell = 0; shell < static_cast<Id>(chains.size()); ++shell)
     {
       if (chains[shell].Kind == ShellKind::Sheet)
       {
         continue;
       }
+      const std::vector<CountedTriangle>& triangles = chains[shell].Triangles;
+      ParallelLoop(triangles.size(), NanosecondsPerTriangle,
+        [&](std::size_t i)
+        {
+          const auto& [corners, multiplicity] = triangles[i];
+          const std::array<Point, 3> places = CornersOf(points, corners);
+          const double area = Length(NormalOf(places[0], places[1], places[2])) / 2;
+          this->Facets[first + i] = { places, shell, multiplicity, area };
+          boxes[first + i] = BoundingBox(points, corners);
+        });
+      const std::size_t last = first + triangles.size();
       double area = 0;
-      const std::size_t first = this->Facets.size();
-      for (const CountedTriangle& triangle : chains[shell].Triangles)
+      for (std::size_t f = first; f < last; ++f)
       {
-        const std::array<Point, 3> corners = CornersOf(points, triangle.Corners);
-        area += Length(NormalOf(corners[0], corners[1], corners[2])) / 2;
-        this->Facets.push_back({ corners, shell, triangle.Count, area });
-        boxes.push_back(BoundingBox(points, triangle.Corners));
+        area += this->Facets[f].AreaUpTo;
+        this->Facets[f].AreaUpTo = area;
       }
-      this->Ranges.push_back({ first, this->Facets.size() });
+      this->Ranges.push_back({ first, last });
       this->Areas.resize(chains.size(), 0);
       this->Areas[shell] = area;
+      first = last;
     }
-    this->Tree.emplace(std::move(boxes));
+    this->Tree.emplace(boxes);
   }
 
   Id NumberOfShells() const { return static_cast<Id>(this->Ranges.size()); }
@@ -241,7 +259,7 @@ private:
     return { across, insideout::Cross(direction, across) };
   }
 
-  std::vector<Facet> Facets;
+  RawVector<Facet> Facets;
   std::vector<std::array<std::size_t, 2>> Ranges; // of the facets, per shell that is not a sheet
   std::vector<double> Areas;                      // per shell, with its caps
   std::optional<BoxTree> Tree;

@@ -64,7 +64,7 @@ WindingNumberOfStraightCaps::WindingNumberOfStraightCaps(
   }
   this->FirstOfGroup.push_back(this->Triangles.size());
   this->Tree = std::make_unique<const MultipoleTree>(points, groups, sites);
-  this->Trees.assign(caps.Caps.size(), BoxTree({}));
+  this->Trees.assign(caps.Caps.size(), BoxTree(std::vector<Box>()));
   this->IsTreeMade = std::make_unique<std::once_flag[]>(caps.Caps.size());
 }
 

@@ -200,6 +200,14 @@ void ExpectConforming(const Meshed& meshed, const SolidRegions& regions)
 }
 } // namespace
 
+TEST(Bodies, OneTakesItsSurfaceWithoutACopy)
+{
+  TriangleSoup soup = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } },
+    { { { 0, 1, 2 } } } };
+  const Point* const points = soup.Points.data();
+  EXPECT_EQ(OneBody(std::move(soup)).front().Soup.Points.data(), points);
+}
+
 TEST(Bodies, TenInABoxAreEachWhatTheyAreAlone)
 {
   for (const unsigned seed : { 1u, 2u })
