@@ -67,6 +67,7 @@ class RegionSampler::Scene
 {
 public:
   Scene(const std::vector<Point>& points, const std::vector<ShellChain>& chains)
+    : Points(points)
   {
     std::size_t count = 0;
     for (const ShellChain& chain : chains)
@@ -87,9 +88,8 @@ public:
         [&](std::size_t i)
         {
           const auto& [corners, multiplicity] = triangles[i];
-          const std::array<Point, 3> places = CornersOf(points, corners);
-          const double area = Length(NormalOf(places[0], places[1], places[2])) / 2;
-          this->Facets[first + i] = { places, shell, multiplicity, area };
+          const auto [a, b, c] = CornersOf(points, corners);
+          this->Facets[first + i] = { corners, shell, multiplicity, Length(NormalOf(a, b, c)) / 2 };
           boxes[first + i] = BoundingBox(points, corners);
         });
       const std::size_t last = first + triangles.size();
@@ -120,7 +120,7 @@ public:
     const double area = part * end->AreaUpTo;
     const Facet& facet =
       *std::lower_bound(begin, end, area, [](const Facet& f, double a) { return f.AreaUpTo < a; });
-    const auto& [a, b, c] = facet.Corners;
+    const auto [a, b, c] = CornersOf(this->Points, facet.Corners);
     const double root = std::sqrt(random.Next());
     const double share = random.Next();
     const Point normal = NormalOf(a, b, c);
@@ -159,10 +159,11 @@ public:
       [&](Id f)
       {
         const Facet& facet = this->Facets[f];
+        const std::array<Point, 3> corners = CornersOf(this->Points, facet.Corners);
         std::array<std::array<double, 3>, 3> seen; // coordinates across the line, and along it
         for (int k = 0; k < 3; ++k)
         {
-          const Point from = Difference(facet.Corners[k], line.Origin);
+          const Point from = Difference(corners[k], line.Origin);
           seen[k] = { Dot(from, frame[0]), Dot(from, frame[1]), Dot(from, line.Direction) };
         }
         std::array<double, 3> weights;
@@ -227,7 +228,7 @@ public:
 private:
   struct Facet
   {
-    std::array<Point, 3> Corners;
+    Triangle Corners;
     Id Shell;
     int Count;
     double AreaUpTo; ///< cumulated over the shell's facets
@@ -259,6 +260,7 @@ private:
     return { across, insideout::Cross(direction, across) };
   }
 
+  const std::vector<Point>& Points;
   RawVector<Facet> Facets;
   std::vector<std::array<std::size_t, 2>> Ranges; // of the facets, per shell that is not a sheet
   std::vector<double> Areas;                      // per shell, with its caps

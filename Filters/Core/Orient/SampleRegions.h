@@ -58,7 +58,7 @@ class RegionSampler
 {
 public:
   /**
-   * @param[in] points that the chains refer to, below 1 in each coordinate
+   * @param[in] points that the chains refer to, below 1 in each coordinate; must live on
    * @param[in] chains sheets are skipped
    */
   RegionSampler(const std::vector<Point>& points, const std::vector<ShellChain>& chains);
