@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Delaunay/DelaunayCells.h"
 
+#include "Common/ParallelLoop.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -25,16 +27,18 @@ bool DelaunayCells::Reserve(std::size_t more, std::size_t most)
     return this->NumberOfIds() < this->Room;
   }
   std::unique_ptr<DelaunayCell[]> cells(new DelaunayCell[room]);
-  for (std::size_t cell = 0; cell < room; ++cell)
-  {
-    for (int k = 0; k < 4; ++k)
+  constexpr double nanosecondsPerCell = 5;
+  ParallelLoop(room, nanosecondsPerCell,
+    [&](std::size_t cell)
     {
       const bool isOld = cell < this->Room;
-      cells[cell].SetCorner(k, isOld ? this->Cells[cell].Corner(k) : None);
-      cells[cell].SetNeighbor(k, isOld ? this->Cells[cell].Neighbor(k) : None);
-    }
-    cells[cell].State.store(CellState::Unknown, std::memory_order_relaxed);
-  }
+      for (int k = 0; k < 4; ++k)
+      {
+        cells[cell].SetCorner(k, isOld ? this->Cells[cell].Corner(k) : None);
+        cells[cell].SetNeighbor(k, isOld ? this->Cells[cell].Neighbor(k) : None);
+      }
+      cells[cell].State.store(CellState::Unknown, std::memory_order_relaxed);
+    });
   this->Cells = std::move(cells);
   this->Room = room;
   return true;

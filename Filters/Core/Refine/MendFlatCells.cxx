@@ -76,13 +76,24 @@ public:
   /** Faces that stay: those on facets, and those of one cell. */
   std::vector<FacetOfInput> FixedFaces() const
   {
+    std::vector<char> masks(this->Cells.size()); // a bit per face
+    ParallelLoop(this->NumberOfCells(), 4 * NanosecondsPerNeighbor,
+      [&](Id c)
+      {
+        for (int k = 0; k < 4; ++k)
+        {
+          const Id neighbor = this->NeighborOf(c, k);
+          const bool isFixed =
+            neighbor == None || (c < neighbor && this->Whole.Facets[this->Cells[c]][k] != None);
+          masks[c] |= isFixed ? 1 << k : 0;
+        }
+      });
     std::vector<Id> fixed; // 4 * cell + face
     for (Id c = 0; c < this->NumberOfCells(); ++c)
     {
       for (int k = 0; k < 4; ++k)
       {
-        const Id neighbor = this->NeighborOf(c, k);
-        if (neighbor == None || (c < neighbor && this->Whole.Facets[this->Cells[c]][k] != None))
+        if ((masks[c] >> k & 1) != 0)
         {
           fixed.push_back(4 * c + k);
         }

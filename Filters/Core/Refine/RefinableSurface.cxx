@@ -70,9 +70,9 @@ void RefinableSurface::FindPinched()
   forEachCorner(
     [&](const RefinableCell& cell, int k)
     {
-      for (const Id corner : FaceAcross(cell.Corners, k))
+      for (int i = 0; i < 3 && cell.Neighbors[k] == None; ++i)
       {
-        isOnBoundary[corner] |= cell.Neighbors[k] == None ? 1 : 0;
+        isOnBoundary[FaceAcross(cell.Corners, k)[i]] = 1;
       }
     });
   std::vector<Id> around(isOnBoundary.size(), 0);
