@@ -303,6 +303,7 @@ vtkInsideOut::SolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
     options.Refinement.TreatsNeedles = false;
   }
   options.QuadraticCells = filter->GetRefinement()->GetQuadraticCells();
+  options.QuadratureOrder = filter->GetWindingNumber()->GetQuadratureOrder();
   if (options.Refine)
   {
     vtkInsideOut::AddBackground(filter->GetRefinement(), options.Refinement.Sizes);

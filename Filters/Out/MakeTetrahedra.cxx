@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Out/MakeTetrahedra.h"
 
+#include "Boolean/WindingNumbersOfBodies.h"
 #include "Common/Stages.h"
 #include "Data/StatisticsArrays.h"
+#include "In/ReadGrid.h"
 #include "NothingInside.h"
 #include "Out/RefineGrid.h"
 #include "Output/MassProperties.h"
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -117,6 +121,37 @@ Refinement RefineSolid(const RefinementParameters& parameters, bool quadratic, S
   return refinement;
 }
 
+/**
+ * Evaluate w of open bodies in refined cells: it varies within the hull's cells, whose values these
+ * have.
+ */
+void SetWOfRefined(
+  const HullMesh& hull, int quadratureOrder, vtkUnstructuredGrid* refined, Monitor& monitor)
+{
+  const GridTetrahedra grid = ReadTetrahedraOfAnyOrder(refined);
+  const std::vector<std::vector<double>> found = WindingNumbersOfOpenBodies(
+    hull, hull.Mesh, grid.Points, grid.Cells, quadratureOrder, monitor, { Stages::Refining, 1, 1 });
+  if (std::all_of(found.begin(), found.end(), [](const auto& w) { return w.empty(); }))
+  {
+    return;
+  }
+  vtkDataArray* ofBodies = refined->GetCellData()->GetArray("BodyW");
+  vtkDataArray* sums = refined->GetCellData()->GetArray("w");
+  sums->Fill(0);
+  for (int b = 0; b < hull.NumberOfBodies(); ++b)
+  {
+    for (vtkIdType c = 0; c < refined->GetNumberOfCells(); ++c)
+    {
+      const double w = found[b].empty() ? ofBodies->GetComponent(c, b) : found[b][c];
+      sums->SetComponent(c, 0, sums->GetComponent(c, 0) + w);
+      if (ofBodies)
+      {
+        ofBodies->SetComponent(c, b, w);
+      }
+    }
+  }
+}
+
 bool TakesTetrahedra(const KeptHull& kept, bool hasSeeds, const SolidOptions& options)
 {
   const SegmentMeshParameters& segment = options.Segment.Parameters;
@@ -199,6 +234,7 @@ Tetrahedra MakeTetrahedra(const KeptHull& kept, const std::vector<Seed>& seeds, 
   if (options.Refine && !solid.Masses.empty())
   {
     refinement = RefineSolid(options.Refinement, options.QuadraticCells, solid, surfaces, monitor);
+    SetWOfRefined(hull, options.QuadratureOrder, solid.Grid, monitor);
   }
 
   Statistics statistics = hull.Statistics;

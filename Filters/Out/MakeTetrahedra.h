@@ -24,6 +24,7 @@ struct SolidOptions
   bool Refine = false;
   insideout::RefinementParameters Refinement;
   bool QuadraticCells = false;
+  int QuadratureOrder = 1; ///< of w in refined cells, see WindingNumberOfCells
 };
 
 /** Outputs, with warnings and statistics. */

@@ -50,6 +50,10 @@ def sphere(resolution: int):
     return source.GetOutput()
 
 
+def barycenters(solid) -> np.ndarray:
+    return solid.points[solid.cells[:, :4]].mean(axis=1)
+
+
 class Surface(unittest.TestCase):
     """What becomes of the boundary: beside the tetrahedra, the surface of its own and what is known of its triangles."""
 
@@ -342,6 +346,25 @@ class Tetrahedralize(unittest.TestCase):
         self.assertEqual(refined.boundary.triangles.tobytes(), plain.boundary.triangles.tobytes())
         self.assertEqual(refined.statistics["RefinedCells"], len(refined.solid.cells))
         self.assertEqual(refined.statistics["InsideCells"], len(plain.solid.cells))
+
+    def test_w_of_refined_cells_of_an_open_surface_is_that_at_their_own_barycenters(self):
+        for treatment in ("kept", "split", "remeshed"):
+            with self.subTest(treatment):
+                self.expect_w(surfaces.open_box(), surface_treatment=treatment)
+        self.expect_w(surfaces.open_box(), quadratic_cells=True)
+
+    def expect_w(self, surface, **options):
+        solid = insideout.tetrahedralize(surface, refine=True, **options).solid
+        expected = insideout.winding_number(surface, barycenters(solid))
+        np.testing.assert_allclose(solid.w, expected, rtol=0, atol=1e-13)
+
+    def test_w_of_refined_cells_is_the_sum_over_bodies_of_which_one_is_open(self):
+        bodies = {"open": surfaces.open_box(), "closed": surfaces.box((0.5, 0.5, 0.5))}
+        solid = insideout.tetrahedralize(bodies, refine=True).solid
+        places = barycenters(solid)
+        each = np.transpose([insideout.winding_number(body, places) for body in bodies.values()])
+        np.testing.assert_allclose(solid.cell_arrays["BodyW"], each, rtol=0, atol=1e-13)
+        np.testing.assert_allclose(solid.w, each.sum(axis=1), rtol=0, atol=1e-13)
 
     def test_each_option_implies_it(self):
         for options in ({"edge_length": 0.3}, {"grading": 0.1}, {"maximum_volume": 0.01}, {"quadratic_cells": True}):

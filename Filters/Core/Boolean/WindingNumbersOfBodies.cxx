@@ -18,4 +18,23 @@ std::vector<std::vector<double>> WindingNumbersOfBodies(
   }
   return w;
 }
+
+std::vector<std::vector<double>> WindingNumbersOfOpenBodies(const ResolvedBodies& bodies,
+  const TetrahedralMesh& mesh, const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, int quadratureOrder, Monitor& monitor,
+  const ProgressRange& progress)
+{
+  const std::vector<char> isClosed =
+    FindClosedBodies(bodies, SortedFacetEdges(bodies.Surface.Facets));
+  std::vector<std::vector<double>> w(isClosed.size());
+  for (Id b = 0; b < bodies.NumberOfBodies(); ++b)
+  {
+    if (isClosed[b] == 0)
+    {
+      w[b] = WindingNumberOfOtherCells(
+        ComplexOfBody(bodies, b), mesh, points, cells, quadratureOrder, monitor, progress);
+    }
+  }
+  return w;
+}
 } // namespace insideout

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boolean/ResolveBodies.h"
+#include "Common/ProgressRange.h"
 #include "Common/TetrahedralMesh.h"
 
 namespace insideout
@@ -17,4 +18,16 @@ namespace insideout
  */
 std::vector<std::vector<double>> WindingNumbersOfBodies(
   const ResolvedBodies& bodies, const TetrahedralMesh& mesh, int quadratureOrder, Monitor& monitor);
+
+/**
+ * The same in other cells, such as those of a refined mesh (WindingNumberOfOtherCells), of the
+ * bodies with a boundary; empty for the others.
+ *
+ * @param[in] points, cells of positive volume
+ * @throws Error (Stopped), (InvalidParameter)
+ */
+std::vector<std::vector<double>> WindingNumbersOfOpenBodies(const ResolvedBodies& bodies,
+  const TetrahedralMesh& mesh, const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, int quadratureOrder, Monitor& monitor,
+  const ProgressRange& progress);
 } // namespace insideout

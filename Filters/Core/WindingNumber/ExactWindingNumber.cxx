@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace insideout
 {
@@ -48,8 +47,7 @@ std::vector<double> ExactWindingNumber::Evaluate(
 std::vector<double> ExactWindingNumber::Evaluate(
   const Sites& sites, Monitor& monitor, const ProgressRange& progress) const
 {
-  std::vector<Id> order(sites.Cells.size());
-  std::iota(order.begin(), order.end(), 0);
+  const std::vector<Id> order = SpatialOrder(sites);
   std::vector<double> w(sites.Cells.size());
   const double middle = (progress.Begin + progress.End) / 2;
   this->Tree.Evaluate(sites, order, w, monitor, { progress.Stage, progress.Begin, middle });

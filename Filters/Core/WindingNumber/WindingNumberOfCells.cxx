@@ -5,6 +5,7 @@
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "WindingNumber/ClosedChainTree.h"
+#include "WindingNumber/ExactWindingNumber.h"
 #include "WindingNumber/HoleCaps.h"
 #include "WindingNumber/SpatialOrder.h"
 #include "WindingNumber/TetrahedronQuadrature.h"
@@ -170,6 +171,28 @@ private:
 };
 
 /**
+ * Means in cells: the value at the rule's first site and differences from it, so that constants
+ * stay exact.
+ *
+ * @param[in] valuesAt w in all cells at the site with the index given
+ */
+template <typename Values>
+std::vector<double> MeansOf(const QuadratureRule& rule, const Values& valuesAt)
+{
+  const std::vector<double> first = valuesAt(0);
+  std::vector<double> means = first;
+  for (std::size_t i = 1; i < rule.Sites.size(); ++i)
+  {
+    const std::vector<double> w = valuesAt(i);
+    for (std::size_t cell = 0; cell < w.size(); ++cell)
+    {
+      means[cell] += rule.Weights[i] * (w[cell] - first[cell]);
+    }
+  }
+  return means;
+}
+
+/**
  * The mean winding numbers of a complex that is open, or of which the mesh lacks facets. The chain
  * consists of the mesh's faces and the facets outside it: straight caps that replace pieces, and
  * the rest.
@@ -200,27 +223,18 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface,
     order = SpatialOrder({ points, mesh.Cells });
   }
 
-  // The first place's value and differences from it, so that constants stay exact.
-  std::vector<double> means;
-  std::vector<double> first;
-  std::vector<double> w(mesh.Cells.size(), 0.0);
   const double step = 0.9 / static_cast<double>(rule.Sites.size());
-  for (std::size_t i = 0; i < rule.Sites.size(); ++i)
-  {
-    const Sites sites = { points, mesh.Cells, rule.Sites[i] };
-    const double begin = 0.1 + step * static_cast<double>(i);
-    rest.Evaluate(sites, w, monitor, { Stages::WindingNumbers, begin, begin + step / 2 });
-    caps.Add(sites, order, w, monitor, { Stages::WindingNumbers, begin + step / 2, begin + step });
-    if (i == 0)
+  std::vector<double> means = MeansOf(rule,
+    [&](std::size_t i)
     {
-      first = means = w;
-      continue;
-    }
-    for (std::size_t cell = 0; cell < w.size(); ++cell)
-    {
-      means[cell] += rule.Weights[i] * (w[cell] - first[cell]);
-    }
-  }
+      std::vector<double> w(mesh.Cells.size());
+      const Sites sites = { points, mesh.Cells, rule.Sites[i] };
+      const double begin = 0.1 + step * static_cast<double>(i);
+      rest.Evaluate(sites, w, monitor, { Stages::WindingNumbers, begin, begin + step / 2 });
+      caps.Add(
+        sites, order, w, monitor, { Stages::WindingNumbers, begin + step / 2, begin + step });
+      return w;
+    });
   monitor.Check(Stages::WindingNumbers, 1);
   return means;
 }
@@ -253,6 +267,33 @@ std::vector<double> WindingNumberOfCells(
     return WalkedWindingNumbers(surface, mesh, monitor);
   }
   return PartlyWalkedMeans(surface, boundary, mesh, beyond, rule, monitor);
+}
+
+std::vector<double> WindingNumberOfOtherCells(const FacetComplex& surface,
+  const TetrahedralMesh& mesh, const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, int quadratureOrder, Monitor& monitor,
+  const ProgressRange& progress)
+{
+  const QuadratureRule rule = TetrahedronQuadrature(quadratureOrder);
+  const int exponent = LargestExponent(mesh.Points);
+  const std::vector<Point> corners = ScaledPoints(mesh.Points, -exponent);
+  const std::vector<Point> scaled = ScaledPoints(points, -exponent);
+  StraightCaps straight = FindStraightCaps(surface, corners,
+    WholeChain(FaceCounts(surface, mesh), FacetsBeyondMesh(surface, mesh)), BoundaryOf(surface));
+  const std::vector<CountedEdge> boundary =
+    CountedBoundary(straight.Rest, static_cast<Id>(corners.size()));
+  const ExactWindingNumber rest(corners, std::move(straight.Rest), boundary, monitor,
+    { progress.Stage, progress.Begin, progress.Begin });
+  const WindingNumberOfStraightCaps caps(corners, straight, cells.size() * rule.Sites.size());
+  const std::vector<Id> order = SpatialOrder({ scaled, cells });
+  return MeansOf(rule,
+    [&](std::size_t i)
+    {
+      const Sites sites = { scaled, cells, rule.Sites[i] };
+      std::vector<double> w = rest.Evaluate(sites, monitor, progress);
+      caps.Add(sites, order, w, monitor, progress);
+      return w;
+    });
 }
 
 double SignedContent(const TetrahedralMesh& mesh, const std::vector<double>& w)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Common/ProgressRange.h"
 #include "Common/TetrahedralMesh.h"
 
 namespace insideout
@@ -39,6 +40,20 @@ bool IsClosed(const FacetComplex& surface);
  */
 std::vector<double> WindingNumberOfCells(const FacetComplex& surface, const TetrahedralMesh& mesh,
   Monitor& monitor, int quadratureOrder = 1);
+
+/**
+ * The same mean in other cells, such as those of a refined mesh: the winding number of the mesh's
+ * faces and of the facets beyond it. Facets may cross these cells.
+ *
+ * @param[in] mesh made of `surface`
+ * @param[in] points, cells of positive volume
+ * @return one value per cell
+ * @throws Error (Stopped), (InvalidParameter)
+ */
+std::vector<double> WindingNumberOfOtherCells(const FacetComplex& surface,
+  const TetrahedralMesh& mesh, const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, int quadratureOrder, Monitor& monitor,
+  const ProgressRange& progress);
 
 /**
  * Sum of w times volume over the cells: negative where the surface is inside out as a whole. One

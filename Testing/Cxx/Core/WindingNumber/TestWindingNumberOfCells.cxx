@@ -297,6 +297,25 @@ TEST(WindingNumberOfCells, EqualsQuadruplePrecisionOnOpenComplexesWithFacetsThat
   }
 }
 
+TEST(WindingNumberOfCells, EqualsQuadruplePrecisionInOtherCellsThatFacetsCross)
+{
+  Monitor monitor;
+  for (unsigned seed = 0; seed < 5 * NumberOfShapes; ++seed)
+  {
+    TetrahedralMesh mesh = MakeMesh(seed % NumberOfShapes, seed);
+    FacetComplex surface = RandomFaces(mesh, seed);
+    LoseFacets(surface, mesh, seed);
+    const TetrahedralMesh other = Grid(seed + 1, 2);
+    const std::vector<double> w =
+      WindingNumberOfOtherCells(surface, mesh, other.Points, other.Cells, 1, monitor, { "", 0, 1 });
+    ASSERT_EQ(w.size(), other.Cells.size());
+    for (std::size_t c = 0; c < w.size(); ++c)
+    {
+      ASSERT_NEAR(w[c], WindingNumberInQuads(surface, SiteOf(other, c)), 1e-13) << "seed " << seed;
+    }
+  }
+}
+
 /** The integral of the gradient of w along a line, which no facet crosses: how much w changes. */
 double SmoothChange(const SurfaceWindingNumber& w, const Point& from, const Point& to)
 {
