@@ -4,6 +4,7 @@
 #include "Common/Vectors.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace insideout
 {
@@ -32,6 +33,24 @@ bool LooksWhere(const SurfacePiece& piece, const Point& normal)
 {
   const Point own = NormalOf(piece);
   return !IsThin(piece.Places) && Dot(own, normal) > LeastCosine * Length(own) * Length(normal);
+}
+
+/** Whether needles replace needles, whose normals are rounding errors, with a larger least height.
+ */
+bool AreLessThin(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
+{
+  const auto leastHeight = [](const std::vector<SurfacePiece>& pieces)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const SurfacePiece& piece : pieces)
+    {
+      least = std::min(least, Length(NormalOf(piece)) / LongestEdgeOf(piece.Places));
+    }
+    return least;
+  };
+  return std::all_of(gone.begin(), gone.end(),
+           [](const SurfacePiece& piece) { return IsThin(piece.Places); }) &&
+    leastHeight(fresh) > leastHeight(gone);
 }
 } // namespace
 
@@ -108,8 +127,9 @@ bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfaceP
     const Point normal = NormalOf(piece);
     sum = { { sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2] } };
   }
-  return std::all_of(
-    fresh.begin(), fresh.end(), [&](const SurfacePiece& piece) { return LooksWhere(piece, sum); });
+  return AreLessThin(gone, fresh) ||
+    std::all_of(fresh.begin(), fresh.end(),
+      [&](const SurfacePiece& piece) { return LooksWhere(piece, sum); });
 }
 
 bool EachLooksAlike(const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh)
