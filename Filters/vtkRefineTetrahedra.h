@@ -130,15 +130,15 @@ public:
    * REMESHED if EdgeLength, SizeRules or SizingArrayName is given, else KEPT. Default AUTOMATIC. If
    * a surface kept so leaves cells that a solver refuses, AUTOMATIC removes its needles and spikes,
    * and moves corners of flat cells. The surface moves by at most a millionth of the longest edge
-   * of its box, or by 4e-7 in the unit of the coordinates. Areas by tag and volumes by region stay
-   * within a millionth. If such cells are left, it takes REMESHED, unless areas and volumes have
-   * names (two tags beside that of holes; named or touching regions) or there are more than 100,000
-   * cells. It does each if fewer cells are refused, with a warning. SPLIT keeps all points; the
-   * pieces lie in the triangles' planes, within rounding, where coplanar triangles with the same
-   * cell data join. REMESHED keeps edges above FeatureAngle, but joins corners of theirs that are
-   * closer than the requested length and need not stay for SurfaceTolerance. Triangles that close
-   * holes and are within it of others join these. Triangles stay whose replacement would touch
-   * another part of the boundary.
+   * of its box; in small solids by 4e-7 in the unit of the coordinates, up to a thousandth of that
+   * edge. Areas by tag and volumes by region stay within a millionth. If such cells are left, it
+   * takes REMESHED, unless areas and volumes have names (two tags beside that of holes; named or
+   * touching regions) or there are more than 100,000 cells. It does each if fewer cells are
+   * refused, with a warning. SPLIT keeps all points; the pieces lie in the triangles' planes,
+   * within rounding, where coplanar triangles with the same cell data join. REMESHED keeps edges
+   * above FeatureAngle, but joins corners of theirs that are closer than the requested length and
+   * need not stay for SurfaceTolerance. Triangles that close holes and are within it of others join
+   * these. Triangles stay whose replacement would touch another part of the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);

@@ -291,6 +291,11 @@ class Unfit(CommandLine):
         self.assertGreater(tagged.statistics["RefusedCells"], 0)
         self.assertAlmostEqual(areas_by_tag(tagged)["1"] / 9e-19, 1, 6)
 
+    def test_a_small_solid_keeps_its_surface_where_inner_cells_can_be_mended(self):
+        made = insideout.tetrahedralize(surfaces.ball(1, 80, 40), refine=True, scale=3e-5)
+        self.assertEqual(made.statistics["RefusedCells"], 0)
+        self.assertNotIn("SurfaceTolerance", made.statistics)
+
     def test_a_surface_whose_wide_needle_a_solver_would_refuse_is_remeshed_and_told(self):
         made = insideout.tetrahedralize(self.needle(1e-4), refine=True, scale=3e-6)
         self.assertEqual(made.statistics["RefusedCells"], 0)

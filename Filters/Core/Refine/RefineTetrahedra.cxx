@@ -46,6 +46,9 @@ constexpr double GibibytesOfCell = 4e-7;
 /** In any unit: cells with shorter edges are refused by a solver, or nearly so (IsRefused). */
 constexpr double EdgeOfSmallestCell = 4e-7;
 
+/** The largest share of that edge in the size of a solid of which most cells may be accepted. */
+constexpr double LargestSmallestCell = 1e-2;
+
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are then scaled. */
 constexpr int LargestOrdinaryExponent = 60;
 
@@ -155,7 +158,7 @@ struct SurfaceOfRun
   std::vector<FacetOfInput> Facets;
   std::vector<char> Locked; ///< facets that stay as they are
   double Tolerance;
-  bool MayBeFit;        ///< whether a solver accepts cells far smaller than the solid
+  bool MayBeFit;        ///< whether a solver accepts cells much smaller than the solid
   Id MendedNeedles = 0; ///< changes
 
   Id NumberOfLocked() const
@@ -378,11 +381,12 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   const double size = box.Extent(box.LongestAxis());
   const double usual = RefinementParameters::DefaultTolerance * size;
   SurfaceOfRun run = { FacetsOf(mesh, regions, isSplit ? given.Attributes : given.Labels), {},
-    given.SurfaceTolerance > 0 ? given.SurfaceTolerance : usual, EdgeOfSmallestCell <= usual };
+    given.SurfaceTolerance > 0 ? given.SurfaceTolerance : usual,
+    EdgeOfSmallestCell <= LargestSmallestCell * size };
   if (given.MendsSurface)
   {
     const double least = RefinementParameters::MendingTolerance * size;
-    run.Tolerance = run.MayBeFit ? std::max(least, EdgeOfSmallestCell) : least;
+    run.Tolerance = run.MayBeFit ? std::max(least, std::min(EdgeOfSmallestCell, usual)) : least;
   }
   monitor.Check(Stages::Refining, 0);
   RefinementParameters parameters = given;

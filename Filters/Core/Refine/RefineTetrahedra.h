@@ -27,8 +27,9 @@ struct RefinementParameters
   /**
    * Kept, but for needles of its triangles and for flat cells at it (MendNeedles,
    * MendRefusedCells). The surface moves, both ways, by at most MendingTolerance times the longest
-   * edge of the points' bounding box, or by the edge of the smallest cell that a solver accepts.
-   * Areas by label and volumes by region stay (SurfaceBudget).
+   * edge of the points' bounding box. In small solids that is the edge of the smallest cell that
+   * a solver accepts, up to DefaultTolerance. Areas by label and volumes by region stay
+   * (SurfaceBudget).
    */
   bool MendsSurface = false;
   static constexpr double MendingTolerance = 1e-6; // STL's decimals and floats are as coarse
