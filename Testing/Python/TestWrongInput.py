@@ -209,6 +209,7 @@ GOOD = {
     "tetrahedralize": lambda _: {"surface": surfaces.box()},
     "voxels": lambda _: {"surface": surfaces.box(), "spacing": 0.5},
     "winding_number": lambda _: {"surface": surfaces.box(), "points": POINTS},
+    "winding_number_of_pieces": lambda _: {"pieces": [surfaces.box(), surfaces.box((3, 3, 3))], "points": POINTS},
     "write": lambda folder: {"data": RESULT, "path": os.path.join(folder, "solid.vtu")},
 }
 """What each function does well with."""

@@ -64,8 +64,10 @@ def winding_number_of_pieces(
     Memory is that of the largest piece and of the open edges of all. Raises `Error` with one line that names the
     culprit.
     """
-    if not isinstance(pieces, (list, tuple)) or not pieces:
-        raise Error(f"pieces is {pieces!r}; it has to be a list of surfaces, at least one")
+    if not isinstance(pieces, (list, tuple)):
+        raise Error(f"pieces is of type {type(pieces).__name__}; it has to be a list of surfaces")
+    if len(pieces) == 0:
+        raise Error("pieces is empty; it has to be a list of surfaces, at least one")
     from .pieces import Pieces  # of a module of VTK that nothing else needs
 
     places, shape = points_and_shape(points)

@@ -95,7 +95,9 @@ def _scaled(surface: vtkPolyData, scale: float) -> vtkPolyData:
     copy = vtkPolyData()
     copy.ShallowCopy(surface)
     if surface.GetNumberOfPoints() > 0:
-        copy.SetPoints(make_points(vtk_to_numpy(surface.GetPoints().GetData()).astype(float) * scale, ARRAYS[0]))
+        with np.errstate(over="ignore"):  # an infinite coordinate is an error of its own
+            points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float) * scale
+        copy.SetPoints(make_points(points, ARRAYS[0]))
     return copy
 
 
