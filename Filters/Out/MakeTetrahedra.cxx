@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Out/MakeTetrahedra.h"
 
+#include "Boolean/SingleBodies.h"
 #include "Boolean/WindingNumbersOfBodies.h"
 #include "Common/Stages.h"
 #include "Data/StatisticsArrays.h"
@@ -128,13 +129,13 @@ Refinement RefineSolid(const RefinementParameters& parameters, bool quadratic, S
 void SetWOfRefined(
   const HullMesh& hull, int quadratureOrder, vtkUnstructuredGrid* refined, Monitor& monitor)
 {
-  const GridTetrahedra grid = ReadTetrahedraOfAnyOrder(refined);
-  const std::vector<std::vector<double>> found = WindingNumbersOfOpenBodies(
-    hull, hull.Mesh, grid.Points, grid.Cells, quadratureOrder, monitor, { Stages::Refining, 1, 1 });
-  if (std::all_of(found.begin(), found.end(), [](const auto& w) { return w.empty(); }))
+  if (AreClosed(hull, SortedFacetEdges(hull.Surface.Facets)))
   {
     return;
   }
+  const GridTetrahedra grid = ReadTetrahedraOfAnyOrder(refined);
+  const std::vector<std::vector<double>> found = WindingNumbersOfOpenBodies(
+    hull, hull.Mesh, grid.Points, grid.Cells, quadratureOrder, monitor, { Stages::Refining, 1, 1 });
   vtkDataArray* ofBodies = refined->GetCellData()->GetArray("BodyW");
   vtkDataArray* sums = refined->GetCellData()->GetArray("w");
   sums->Fill(0);

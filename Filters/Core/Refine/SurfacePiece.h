@@ -41,8 +41,8 @@ bool HasNoArea(const std::array<Point, 3>& triangle);
 bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal);
 
 /**
- * Whether all fresh pieces face the same way as the gone ones together. Where these are all thin,
- * their normals are rounding errors: it suffices that the least height grows.
+ * Whether all fresh pieces face the same way as the gone ones together. If the gone ones are all
+ * thin, their normals are rounding errors: it suffices that the least height grows.
  */
 bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
 

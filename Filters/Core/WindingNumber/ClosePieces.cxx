@@ -58,7 +58,7 @@ std::vector<CountedTriangle> CapsOf(
 {
   std::vector<CountedTriangle> all;
   for (const std::vector<CountedTriangle>& cap :
-    CapHoles(ScaledPoints(points, -LargestExponent(points)), boundary))
+    CapHolesInOrder(ScaledPoints(points, -LargestExponent(points)), boundary).InIds())
   {
     all.insert(all.end(), cap.begin(), cap.end());
   }

@@ -17,8 +17,8 @@ namespace insideout
  *   R = sum of K(P) over pieces P.
  *
  * All terms but the last are whole numbers. The last one depends on the surface's boundary alone,
- * and ExactWindingNumber has the same for the whole surface. Only R is held throughout: no more
- * triangles than the pieces have open edges.
+ * not on the numbering of its points: ExactWindingNumber has the same for the whole surface. Only R
+ * is held throughout: no more triangles than the pieces have open edges.
  */
 class ClosePieces
 {

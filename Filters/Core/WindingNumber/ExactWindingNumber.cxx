@@ -3,7 +3,6 @@
 
 #include "Common/ChunkedLoop.h"
 #include "WindingNumber/CapsInGrid.h"
-#include "WindingNumber/HoleCaps.h"
 #include "WindingNumber/LabelsInRows.h"
 #include "WindingNumber/SpatialOrder.h"
 
@@ -20,11 +19,10 @@ constexpr Id SlicesAtOnce = 64;
 
 ExactWindingNumber::ExactWindingNumber(const std::vector<Point>& points,
   std::vector<CountedTriangle> triangles, const std::vector<CountedEdge>& boundary,
-  Monitor& monitor, const ProgressRange& progress)
-  : Points(points)
-  , Caps(CapHoles(points, boundary))
-  , Tree(points, CloseChain(std::move(triangles), this->Caps), monitor, progress)
-  , SumOfCaps(points, this->Caps, 0)
+  Monitor& monitor, const ProgressRange& progress, std::size_t sites)
+  : Caps(CapHolesInOrder(points, boundary))
+  , Tree(points, CloseChain(std::move(triangles), this->Caps.InIds()), monitor, progress)
+  , SumOfCaps(this->Caps.Points, this->Caps.Caps, sites)
 {
 }
 
@@ -65,13 +63,14 @@ void ExactWindingNumber::EvaluateInGrid(const GridPlaces& grid, std::optional<do
   const Id slices = grid.Size(2);
   // Values off the chain are whole numbers, so this small a change keeps the side.
   const double negligible = sideOf ? std::abs(*sideOf - std::round(*sideOf)) : 0;
-  const double nanosecondsPerPlace = this->Caps.empty() ? 2 : 20;
+  const double nanosecondsPerPlace = this->Caps.Caps.empty() ? 2 : 20;
   for (Id first = 0; first < slices; first += SlicesAtOnce)
   {
     const Id last = std::min(slices, first + SlicesAtOnce);
     const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(first) / slices),
       progress.At(static_cast<double>(last) / slices) };
-    const CapsInGrid caps(this->Points, this->Caps, negligible, grid, first, last, monitor, part);
+    const CapsInGrid caps(
+      this->Caps.Points, this->Caps.Caps, negligible, grid, first, last, monitor, part);
     ChunkedLoop(last - first, nanosecondsPerPlace * static_cast<double>(grid.SizeOfSlice()),
       monitor, part,
       [&](Id i)

@@ -3,6 +3,7 @@
 
 #include "WindingNumber/ClosedChainTree.h"
 #include "WindingNumber/GridPlaces.h"
+#include "WindingNumber/HoleCaps.h"
 #include "WindingNumber/WindingNumberOfCaps.h"
 
 #include <optional>
@@ -19,7 +20,8 @@ namespace insideout
  *
  * where the first is a whole number. A tree (ClosedChainTree.h) finds it in time that grows with
  * the logarithm of the number of triangles. The second costs a few operations per open edge
- * (WindingNumberOfCaps.h), nothing where the chain is closed.
+ * (WindingNumberOfCaps.h), nothing where the chain is closed. Values do not depend on the numbering
+ * of points.
  *
  * On the chain w is the mean of its values around the place, weighted by solid angle.
  */
@@ -30,10 +32,12 @@ public:
    * @param[in] points below 1 in each coordinate; has to live as long as this object
    * @param[in] triangles not degenerate
    * @param[in] boundary theirs
+   * @param[in] sites how many will be asked for; for many the values of caps depend on this number
    * @throws Error (Stopped)
    */
   ExactWindingNumber(const std::vector<Point>& points, std::vector<CountedTriangle> triangles,
-    const std::vector<CountedEdge>& boundary, Monitor& monitor, const ProgressRange& progress);
+    const std::vector<CountedEdge>& boundary, Monitor& monitor, const ProgressRange& progress,
+    std::size_t sites = 0);
   ExactWindingNumber(const ExactWindingNumber&) = delete;
   void operator=(const ExactWindingNumber&) = delete;
 
@@ -66,8 +70,7 @@ public:
   double At(const Point& point) const;
 
 private:
-  const std::vector<Point>& Points;
-  const std::vector<std::vector<CountedTriangle>> Caps;
+  const NumberedCaps Caps;
   const ClosedChainTree Tree;
   const WindingNumberOfCaps SumOfCaps;
 };

@@ -2,6 +2,7 @@
 #include "WindingNumber/HoleCaps.h"
 
 #include "Common/PointPredicates.h"
+#include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Vectors.h"
 
@@ -81,7 +82,6 @@ Loop CutOffArcs(const std::vector<Point>& points, const Loop& loop,
   }
   return chords;
 }
-
 } // namespace
 
 std::vector<std::vector<CountedTriangle>> CapHoles(
@@ -97,6 +97,53 @@ std::vector<std::vector<CountedTriangle>> CapHoles(
     caps.push_back(Fan(points, loop));
   }
   return caps;
+}
+
+std::vector<std::vector<CountedTriangle>> NumberedCaps::InIds() const
+{
+  std::vector<std::vector<CountedTriangle>> caps = this->Caps;
+  for (std::vector<CountedTriangle>& cap : caps)
+  {
+    for (CountedTriangle& triangle : cap)
+    {
+      for (Id& corner : triangle.Corners)
+      {
+        corner = this->Ids[corner];
+      }
+    }
+  }
+  return caps;
+}
+
+NumberedCaps CapHolesInOrder(
+  const std::vector<Point>& points, const std::vector<CountedEdge>& boundary)
+{
+  NumberedCaps numbered;
+  std::vector<Id>& ids = numbered.Ids;
+  for (const CountedEdge& edge : boundary)
+  {
+    ids.insert(ids.end(), { edge.From, edge.To });
+  }
+  SortUniquely(ids);
+  std::sort(ids.begin(), ids.end(), [&](Id a, Id b) { return points[a] < points[b]; });
+  for (const Id p : ids)
+  {
+    numbered.Points.push_back(points[p]);
+  }
+  std::vector<CountedEdge> edges;
+  edges.reserve(boundary.size());
+  for (const CountedEdge& edge : boundary)
+  {
+    const Id from = IndexIn(numbered.Points, points[edge.From]);
+    const Id to = IndexIn(numbered.Points, points[edge.To]);
+    edges.push_back(
+      from < to ? CountedEdge{ from, to, edge.Count } : CountedEdge{ to, from, -edge.Count });
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const CountedEdge& a, const CountedEdge& b)
+    { return a.From != b.From ? a.From < b.From : a.To < b.To; });
+  numbered.Caps = CapHoles(numbered.Points, edges);
+  return numbered;
 }
 
 std::vector<CountedTriangle> MergeTriangles(const std::vector<CountedTriangle>& triangles)
@@ -125,6 +172,7 @@ std::vector<CountedTriangle> MergeTriangles(const std::vector<CountedTriangle>& 
   }
   return sum;
 }
+
 std::vector<CountedTriangle> CloseChain(
   std::vector<CountedTriangle> triangles, const std::vector<std::vector<CountedTriangle>>& caps)
 {

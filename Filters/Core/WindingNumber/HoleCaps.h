@@ -17,6 +17,21 @@ namespace insideout
 std::vector<std::vector<CountedTriangle>> CapHoles(
   const std::vector<Point>& points, const std::vector<CountedEdge>& boundary);
 
+/** Caps, and the points of the boundary, sorted by coordinates, between which they are. */
+struct NumberedCaps
+{
+  std::vector<Point> Points;
+  std::vector<Id> Ids; ///< of these points, where they come from
+  std::vector<std::vector<CountedTriangle>> Caps;
+
+  /** The same caps between the points where these come from. */
+  std::vector<std::vector<CountedTriangle>> InIds() const;
+};
+
+/** CapHoles, the same for any numbering of the points: no two are equal. */
+NumberedCaps CapHolesInOrder(
+  const std::vector<Point>& points, const std::vector<CountedEdge>& boundary);
+
 /** Triangles with the same corners as one, or none where they cancel, in the order of corners. */
 std::vector<CountedTriangle> MergeTriangles(const std::vector<CountedTriangle>& triangles);
 

@@ -16,7 +16,7 @@ constexpr int Rings = MultipoleDegree + 1;
 constexpr int SamplesPerRing = 2 * Rings;
 
 /** The factor of Q_l-1,m. */
-double Recursion(int l, int m)
+constexpr double Recursion(int l, int m)
 {
   return static_cast<double>(l * l - m * m) / static_cast<double>(4 * l * l - 1);
 }
@@ -24,7 +24,7 @@ double Recursion(int l, int m)
 /** The same for all terms, and where those of each m begin. */
 struct TermTable
 {
-  TermTable()
+  constexpr TermTable()
   {
     int term = 0;
     for (int m = 0; m <= MultipoleDegree; ++m)
@@ -37,11 +37,11 @@ struct TermTable
     }
   }
 
-  int First[MultipoleDegree + 1];
-  double Factor[Multipole::NumberOfTerms];
+  int First[MultipoleDegree + 1] = {};
+  double Factor[Multipole::NumberOfTerms] = {};
 };
 
-const TermTable Terms;
+constexpr TermTable Terms;
 
 /** A monic Legendre polynomial and its derivative. */
 struct Legendre

@@ -24,6 +24,9 @@ constexpr int Bisections = 24;
 // Keeps bounds valid despite rounding.
 constexpr double RoundedUp = 1 + 0x1p-40;
 
+// Smaller radii would underflow when squared.
+constexpr double LeastRadius = 0x1p-400;
+
 // An expansion takes as long as its group at some 5,000 sites, and pays off where most groups are
 // far from most sites.
 constexpr std::size_t LeastSites = 65536;
@@ -63,7 +66,7 @@ Ball BallAround(const std::vector<Point>& points, const std::vector<CountedTrian
       ball.Radius = std::max(ball.Radius, QuickDistance(ball.Centre, points[p]));
     }
   }
-  ball.Radius *= RoundedUp;
+  ball.Radius = std::max(ball.Radius * RoundedUp, LeastRadius);
   return ball;
 }
 
@@ -120,6 +123,7 @@ MultipoleTree::MultipoleTree(const std::vector<Point>& points,
   {
     return;
   }
+  this->Nodes.reserve(2 * groups.size() - 1);
   this->Build(points, groups, 0, groups.size());
   const std::vector<Tetrahedron> cells = CellsOfPoints(MultipoleSamples().size());
   const Sites samples = { MultipoleSamples(), cells };

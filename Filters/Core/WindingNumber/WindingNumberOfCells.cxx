@@ -275,6 +275,7 @@ std::vector<double> WindingNumberOfOtherCells(const FacetComplex& surface,
   const ProgressRange& progress)
 {
   const QuadratureRule rule = TetrahedronQuadrature(quadratureOrder);
+  const std::size_t sites = cells.size() * rule.Sites.size();
   const int exponent = LargestExponent(mesh.Points);
   const std::vector<Point> corners = ScaledPoints(mesh.Points, -exponent);
   const std::vector<Point> scaled = ScaledPoints(points, -exponent);
@@ -283,15 +284,15 @@ std::vector<double> WindingNumberOfOtherCells(const FacetComplex& surface,
   const std::vector<CountedEdge> boundary =
     CountedBoundary(straight.Rest, static_cast<Id>(corners.size()));
   const ExactWindingNumber rest(corners, std::move(straight.Rest), boundary, monitor,
-    { progress.Stage, progress.Begin, progress.Begin });
-  const WindingNumberOfStraightCaps caps(corners, straight, cells.size() * rule.Sites.size());
+    { progress.Stage, progress.Begin, progress.Begin }, sites);
+  const WindingNumberOfStraightCaps caps(corners, straight, sites);
   const std::vector<Id> order = SpatialOrder({ scaled, cells });
   return MeansOf(rule,
     [&](std::size_t i)
     {
-      const Sites sites = { scaled, cells, rule.Sites[i] };
-      std::vector<double> w = rest.Evaluate(sites, monitor, progress);
-      caps.Add(sites, order, w, monitor, progress);
+      const Sites at = { scaled, cells, rule.Sites[i] };
+      std::vector<double> w = rest.Evaluate(at, monitor, progress);
+      caps.Add(at, order, w, monitor, progress);
       return w;
     });
 }

@@ -74,6 +74,17 @@ std::vector<TriangleSoup> Surfaces()
   return soups;
 }
 
+/** The same with its triangles in any order. */
+TriangleSoup Shuffled(TriangleSoup soup)
+{
+  std::mt19937 random(3);
+  for (std::size_t k = soup.Triangles.size(); k > 1; --k)
+  {
+    std::swap(soup.Triangles[k - 1], soup.Triangles[random() % k]);
+  }
+  return soup;
+}
+
 /** Triangles in turn in `pieces` files, each with the points it needs. */
 std::vector<TriangleSoup> InFiles(const TriangleSoup& soup, std::size_t pieces)
 {
@@ -172,6 +183,7 @@ TEST(ClosePieces, GiveTheWindingNumbersOfTheWholeBitByBit)
     {
       const std::vector<TriangleSoup> files = InFiles(soup, pieces);
       EXPECT_EQ(InTurn(files, places), expected.At(places, silent)) << pieces << " pieces";
+      EXPECT_EQ(InTurn(InFiles(Shuffled(soup), pieces), places), expected.At(places, silent));
       const std::vector<double> there = InTurn(files, onSurface);
       const std::vector<double> expectedThere = expected.At(onSurface, silent);
       for (std::size_t i = 0; i < onSurface.size(); ++i)
@@ -182,7 +194,7 @@ TEST(ClosePieces, GiveTheWindingNumbersOfTheWholeBitByBit)
   }
 }
 
-/** Where the pieces meet: off the surface all values are whole numbers, also on edges of caps. */
+/** On edges of caps: off the surface all values are whole numbers. */
 TEST(ClosePieces, HaveNoRoundingErrorsOnCaps)
 {
   Monitor silent;
@@ -237,7 +249,7 @@ TEST(ClosePieces, LeaveNothingOfAClosedSurfaceOpen)
   EXPECT_TRUE(IsClosed(rest[0].Surface));
 }
 
-/** Where facets end that count more often than one facet can. */
+/** If facets count more often than one facet can. */
 TEST(ClosePieces, HaveCapsThatCountAsOftenAsItTakes)
 {
   ClosePieces pieces;
