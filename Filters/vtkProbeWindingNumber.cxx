@@ -315,12 +315,28 @@ Arrays AskInTurn(vtkProbeWindingNumber* filter, vtkDataSet* input,
   {
     const double begin = static_cast<double>(k) / size;
     QuietMonitor ofPiece(monitor, { Stages::WindingNumbers, begin, begin });
+    const auto piece = vtkInsideOut::JoinSurfaces(vtkInsideOut::PieceOfInput(filter, 1, k, size));
+    const std::string name = "piece " + std::to_string(k) + " of the surface: ";
     std::vector<std::string> more;
-    pieces.Add(
-      vtkInsideOut::JoinSurfaces(vtkInsideOut::PieceOfInput(filter, 1, k, size)), ofPiece, more);
+    try
+    {
+      pieces.Add(piece, ofPiece, more);
+    }
+    catch (const Error& error)
+    {
+      if (error.Code == ErrorCode::Stopped)
+      {
+        throw;
+      }
+      if (error.Code != ErrorCode::AllDegenerate)
+      {
+        throw Error(error.Code, name + error.what());
+      }
+      more.emplace_back(error.what());
+    }
     for (const std::string& warning : more)
     {
-      warnings.push_back("piece " + std::to_string(k) + " of the surface: " + warning);
+      warnings.push_back(name + warning);
     }
   }
   const vtkSmartPointer<vtkDoubleArray> w = pieces.Finish(monitor);

@@ -220,10 +220,11 @@ public:
    * Number of pieces in which the surface is requested, one after the other, so that a surface that
    * does not fit in memory can be read from files. Default 1: the whole at once. Range 1 to
    * infinity. Each piece is validated by itself, so Orientation has to be AS_GIVEN or REVERSE, and
-   * MergeTolerance and Distance are errors above 1. The array w is the same as that of the whole
-   * surface, where the pieces contain its polygons in sequence and CountDuplicates is the same for
-   * both; on the surface up to rounding. Only polygons count. Open edges of the pieces stay in
-   * memory. A source that makes no pieces is an error; vtkXMLPPolyDataReader makes them.
+   * MergeTolerance, Distance and Method APPROXIMATE are errors above 1. Each polygon counts as
+   * often as it is given, so that copies add up and two-sided parts cancel. Then the array w is
+   * that of the whole surface: bit by bit with Method EXACT off the surface, else up to rounding.
+   * Lines and points do not count. Open edges of the pieces stay in memory. A source that makes no
+   * pieces is an error; vtkXMLPPolyDataReader makes them.
    */
   vtkInsideOutSetRangeMacro(SurfacePieces, int, 1, VTK_INT_MAX);
   vtkGetMacro(SurfacePieces, int);

@@ -13,6 +13,7 @@ class vtkDataObject;
 class vtkDataObjectTree;
 class vtkDataSet;
 class vtkDataSetAttributes;
+class vtkDoubleArray;
 class vtkFieldData;
 class vtkGeneralizedWindingNumber;
 class vtkGraphCutSegmentation;

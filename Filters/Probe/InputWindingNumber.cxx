@@ -29,7 +29,11 @@ void RefuseDistance(const SurfaceOptions& options, const std::string& what)
 Facets::Facets(vtkPolyData* input, const SurfaceOptions& options, insideout::Monitor& monitor,
   std::vector<std::string>& warnings)
 {
-  const vtkInsideOut::Surface surface = ReadSurface(input, options.NonParticipating);
+  vtkInsideOut::Surface surface = ReadSurface(input, options.NonParticipating);
+  if (options.CountsAsGiven && surface.Soup.Multiplicity.empty())
+  {
+    surface.Soup.Multiplicity.assign(surface.Soup.Triangles.size(), 1);
+  }
   insideout::CountedChain chain = CountFacets(surface.Soup, options.Chain, monitor);
   Add(chain.Warnings, warnings);
   Add(surface.Warnings, warnings);

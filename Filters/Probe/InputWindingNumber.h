@@ -25,6 +25,7 @@ struct SurfaceOptions
   std::string NonParticipating; ///< cell array, not 0 for cells that do not count
   std::string Areas = "Area";   ///< point array of a cloud; without it areas are estimated
   bool Distance = false;        ///< whether to compute the distance, too
+  bool CountsAsGiven = false;   ///< each polygon, also copies and both sides of two-sided parts
 };
 
 /** The point of a surface nearest to a query point. Facets are numbered in the whole surface. */

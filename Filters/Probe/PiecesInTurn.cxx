@@ -22,10 +22,17 @@ void Refuse(bool isGiven, const std::string& option)
       option + " needs the whole surface, and SurfacePieces is above 1");
   }
 }
+
+/** How often copies and two-sided parts are meant to count depends on the whole surface. */
+SurfaceOptions ForPieces(SurfaceOptions options)
+{
+  options.CountsAsGiven = true;
+  return options;
+}
 } // namespace
 
 PiecesInTurn::PiecesInTurn(const SurfaceOptions& options, vtkDataSet* places, bool atPoints)
-  : Options(options)
+  : Options(ForPieces(options))
   , Places(places)
   , AtPoints(atPoints)
 {
@@ -33,6 +40,8 @@ PiecesInTurn::PiecesInTurn(const SurfaceOptions& options, vtkDataSet* places, bo
   Refuse(options.Orientation == insideout::Orientation::Outward, "Orientation OUTWARD");
   Refuse(options.Chain.MergeTolerance > 0, "MergeTolerance");
   Refuse(options.Distance, "Distance");
+  Refuse(options.WindingNumber.Method == insideout::WindingNumberMethod::Approximate,
+    "Method APPROXIMATE");
   this->W = MakeArray<vtkDoubleArray>("w", NumberOfPlaces(places, atPoints));
   this->W->Fill(0);
 }
@@ -40,13 +49,13 @@ PiecesInTurn::PiecesInTurn(const SurfaceOptions& options, vtkDataSet* places, bo
 void PiecesInTurn::Add(
   vtkPolyData* piece, insideout::Monitor& monitor, std::vector<std::string>& warnings)
 {
-  if (piece->GetNumberOfCells() == 0)
+  if (piece->GetNumberOfPolys() + piece->GetNumberOfStrips() == 0)
   {
     return;
   }
-  this->IsEmpty = false;
   insideout::CountedPiece counted;
   counted.Surface = Facets(piece, this->Options, monitor, warnings).Surface;
+  this->IsEmpty = false;
   this->Pieces.Close(counted.Surface);
   this->Add(counted, monitor);
 }
@@ -72,7 +81,7 @@ vtkSmartPointer<vtkDoubleArray> PiecesInTurn::Finish(insideout::Monitor& monitor
   if (this->IsEmpty)
   {
     throw insideout::Error(
-      insideout::ErrorCode::EmptySurface, "no piece of the surface has polygons");
+      insideout::ErrorCode::EmptySurface, "no piece of the surface has polygons with an area");
   }
   for (const insideout::CountedPiece& rest : this->Pieces.Rest())
   {

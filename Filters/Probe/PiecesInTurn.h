@@ -27,7 +27,7 @@ public:
   PiecesInTurn(const SurfaceOptions& options, vtkDataSet* places, bool atPoints);
 
   /**
-   * Add a piece, which is validated by itself; one without cells adds nothing.
+   * Add a piece, which is validated by itself; one without polygons adds nothing.
    *
    * @param[in,out] warnings gains skipped or suspicious cells
    * @throws insideout::Error that names the invalid cell or point

@@ -100,7 +100,7 @@ class TestSurfacePieces(unittest.TestCase):
         points, triangles = ball()
         pieces = in_pieces(points, triangles, 0, 400, 400)
         self.assertEqual(insideout.winding_number_of_pieces(pieces, (0, 0, 0)), 1)
-        with self.assertRaisesRegex(insideout.Error, "no piece of the surface has polygons"):
+        with self.assertRaisesRegex(insideout.Error, "no piece of the surface has polygons with an area"):
             insideout.winding_number_of_pieces(in_pieces(points, triangles[:0], 0), (0, 0, 0))
 
     def test_errors_name_the_culprit(self):
@@ -109,12 +109,26 @@ class TestSurfacePieces(unittest.TestCase):
         broken[7] = np.nan
         for pieces, words in (
             ([(points, triangles), "no such file.stl"], "no such file.stl"),
-            ([(points, triangles[:9]), (broken, triangles)], "point 7 is not finite"),
+            ([(points, triangles[:9]), (broken, triangles)], "piece 1 of the surface: point 7 is not finite"),
             ([], "it has to be a list of surfaces"),
             ("a.stl", "it has to be a list of surfaces"),
         ):
             with self.assertRaisesRegex(insideout.Error, words):
                 insideout.winding_number_of_pieces(pieces, PLACES)
+
+    def test_copies_add_up_and_two_sided_parts_cancel_however_they_are_cut(self):
+        points, triangles = ball()
+        back = triangles[:, ::-1]
+        for all_triangles, expected in ((np.vstack([triangles, triangles]), 2), (np.vstack([triangles, back]), 0)):
+            for ends in ([], [len(triangles)], [100, 900]):
+                pieces = in_pieces(points, all_triangles, *ends)
+                self.assertEqual(insideout.winding_number_of_pieces(pieces, (0, 0, 0)), expected)
+
+    def test_a_degenerate_piece_is_a_warning(self):
+        points, triangles = ball()
+        with self.assertWarnsRegex(insideout.Warning, "piece 1 of the surface: .*degenerate"):
+            w = insideout.winding_number_of_pieces([(points, triangles), (points, [[3, 3, 5]])], (0, 0, 0))
+        self.assertEqual(w, 1)
 
     def test_warnings_name_the_piece(self):
         points, triangles = ball()
@@ -183,7 +197,7 @@ class TestPipeline(unittest.TestCase):
         self.assertIsNone(probe.GetOutput().GetPointData().GetArray("w"))
 
     def test_options_that_need_the_whole_surface_are_errors(self):
-        for name, value in (("Orientation", 0), ("Orientation", 3), ("MergeTolerance", 0.1), ("Distance", 1)):
+        for name, value in (("Orientation", 0), ("Orientation", 3), ("MergeTolerance", 0.1), ("Distance", 1), ("Method", 3)):
             probe = self.probe(self.reader.GetOutputPort())
             getattr(probe, "Set" + name)(value)
             with self.assertRaisesRegex(insideout.Error, f"{name}.* needs the whole surface"):

@@ -32,7 +32,7 @@ class Pieces(VTKPythonAlgorithmBase):
         number = information.Get(vtkStreamingDemandDrivenPipeline.UPDATE_PIECE_NUMBER())
         output = vtkPolyData.GetData(information)
         output.Initialize()  # the earlier piece is let go
-        if self.failure is None:
+        if self.failure is None and number < len(self.pieces):
             try:
                 polygons, warnings = as_surface(self.pieces[number], self.scale)
                 output.ShallowCopy(polygons)

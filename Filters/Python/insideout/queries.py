@@ -59,10 +59,10 @@ def winding_number_of_pieces(
     scale     factor on the surface's coordinates
     progress  called with the stage and the fraction that is done; an exception that it raises stops the work
 
-    Returns an array of float64 with the shape (...), one value per point: what `winding_number` gives for all polygons
-    together with orientation="as-given" and count_duplicates=True, bit by bit where the point is not on the surface.
-    Memory is that of the largest piece and of the open edges of all. Raises `Error` with one line that names the
-    culprit.
+    Returns an array of float64 with the shape (...), one value per point: the winding number of all polygons together,
+    as they are given: copies add up, and two-sided parts cancel. It does not depend on how the surface is cut, bit by
+    bit where the point is not on it. Memory is that of the largest piece and of the open edges of all. Raises `Error`
+    with one line that names the culprit.
     """
     if not isinstance(pieces, (list, tuple)):
         raise Error(f"pieces is of type {type(pieces).__name__}; it has to be a list of surfaces")
@@ -73,7 +73,7 @@ def winding_number_of_pieces(
     places, shape = points_and_shape(points)
     source = Pieces(pieces, Options(scale=scale).factor())
     probe = Options(orientation="as-given", count_duplicates=True).set_on(vtkProbeWindingNumber())
-    probe.SetSurfacePieces(len(pieces))
+    probe.SetSurfacePieces(max(len(pieces), 2))  # one alone would be the whole surface, with other counts of copies
     probe.SetInputData(places)
     probe.SetSurfaceConnection(source.GetOutputPort())
     try:
