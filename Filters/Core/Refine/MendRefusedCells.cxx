@@ -10,6 +10,9 @@
 #include "Refine/ReconnectCells.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -34,6 +37,21 @@ template <class Corners>
 bool Has(const Corners& corners, Id point)
 {
   return std::find(corners.begin(), corners.end(), point) != corners.end();
+}
+
+double ShapeOf(const std::array<Point, 4>& corners)
+{
+  return insideout::ShapeOf(corners[0], corners[1], corners[2], corners[3]);
+}
+
+bool IsPositive(const std::array<Point, 4>& corners)
+{
+  return Orient3D(corners[0], corners[1], corners[2], corners[3]) > 0;
+}
+
+bool IsMended(const std::array<Point, 4>& corners)
+{
+  return ShapeOf(corners) >= FlatShape && IsPositive(corners) && !IsRefused(corners);
 }
 
 class RefusedCellMending : public SurfaceOperator
@@ -67,6 +85,10 @@ public:
     this->FindCellsAtCorners(cells);
     for (const Id cell : cells)
     {
+      for (int axis = 0; axis < 3 && this->MayChangeSurface && this->IsRefusedCell(cell); ++axis)
+      {
+        this->Stretch(cell, axis);
+      }
       for (int k = 0; k < 4 && this->IsRefusedCell(cell); ++k)
       {
         this->MoveCorner(cell, k);
@@ -120,8 +142,7 @@ private:
         const std::array<Point, 4> corners =
           CornersOf(this->Mesh.Points, Tetrahedron{ { wall[0], wall[1], wall[2], target } });
         result.first += IsRefused(corners) ? 1 : 0;
-        result.second =
-          std::min(result.second, ShapeOf(corners[0], corners[1], corners[2], corners[3]));
+        result.second = std::min(result.second, ShapeOf(corners));
       }
     }
     return result;
@@ -309,7 +330,9 @@ private:
       const double t = step / length;
       const Point place = { { from[0] + t * normal[0], from[1] + t * normal[1],
         from[2] + t * normal[2] } };
-      if (this->MendsBy(cell, corner, place) && (isInner || this->MovesSurface(corner, place)))
+      const auto placeOf = [&](Id point)
+      { return point == corner ? place : this->Mesh.Points[point]; };
+      if (this->MendsBy(cell, placeOf) && this->MovesSurface(this->Cells, placeOf))
       {
         this->Mesh.Move(corner, place, this->Walls);
         this->Changes += isInner ? 0 : 1;
@@ -319,20 +342,13 @@ private:
   }
 
   /** Whether a move of the star's point mends a cell and makes no other one unfit. */
-  bool MendsBy(Id mended, Id point, const Point& place) const
+  template <class PlaceOf>
+  bool MendsBy(Id mended, const PlaceOf& placeOf) const
   {
-    const std::vector<Point>& points = this->Mesh.Points;
-    for (std::size_t i = 0; i < this->Cells.size(); ++i)
+    for (const Id cell : this->Cells)
     {
-      const Id cell = this->Cells[i];
-      const auto [a, b, c] = CornersOf(points, this->Walls[i]);
-      const double least = cell == mended
-        ? FlatShape
-        : std::min(ShapeOf(a, b, c, points[point]), ShapeOfAngle(PoorAngle)) / 2;
-      std::array<Point, 4> moved = CornersOf(points, this->Mesh.Cell(cell).Corners);
-      moved[this->Mesh.CornerIndex(cell, point)] = place;
-      if (ShapeOf(a, b, c, place) < least || Orient3D(a, b, c, place) <= 0 ||
-        (IsRefused(moved) && (cell == mended || !this->IsRefusedCell(cell))))
+      const std::array<Point, 4> moved = this->PlacesOf(cell, placeOf);
+      if (cell == mended ? !IsMended(moved) : !this->StaysFit(cell, moved))
       {
         return false;
       }
@@ -340,31 +356,125 @@ private:
     return true;
   }
 
-  /** Whether a point of the surface may move; the bound then has its new pieces. */
-  bool MovesSurface(Id point, const Point& place)
+  /** Whether a cell with moved corners is positive, and not much worse than before. */
+  bool StaysFit(Id cell, const std::array<Point, 4>& moved) const
+  {
+    const std::array<Point, 4> now = CornersOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners);
+    return ShapeOf(moved) >= std::min(ShapeOf(now), ShapeOfAngle(PoorAngle)) / 2 &&
+      IsPositive(moved) && (!IsRefused(moved) || IsRefused(now));
+  }
+
+  /**
+   * Multiply a coordinate of flat cells that are stacked near 0, where doubles are so dense that
+   * even a cell of coplanar points has a volume: a corner that moves alone would turn its neighbors
+   * over. Powers of 2 keep all their digits, so that all volumes grow alike.
+   */
+  void Stretch(Id cell, int axis)
+  {
+    double extent = 0;
+    for (const Id corner : this->Mesh.Cell(cell).Corners)
+    {
+      extent = std::max(extent, std::abs(this->Mesh.Points[corner][axis]));
+    }
+    for (double factor = Growth; factor * extent <= this->MostDistance; factor *= Growth)
+    {
+      if (this->StretchBy(cell, axis, factor))
+      {
+        return;
+      }
+    }
+  }
+
+  /** The same with one factor, and with all flat cells that would turn over otherwise. */
+  bool StretchBy(Id mended, int axis, double factor)
+  {
+    std::set<Id> stretched;
+    const auto placeOf = [&](Id point)
+    {
+      Point place = this->Mesh.Points[point];
+      place[axis] *= stretched.count(point) > 0 ? factor : 1;
+      return place;
+    };
+    std::vector<Id> unfit = { mended };
+    while (!unfit.empty())
+    {
+      const std::size_t before = stretched.size();
+      for (const Id cell : unfit)
+      {
+        const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
+        stretched.insert(corners.begin(), corners.end());
+      }
+      if (stretched.size() == before)
+      {
+        return false;
+      }
+      this->Cells.clear();
+      for (const Id point : stretched)
+      {
+        if (this->Surface.IsPinched(point) ||
+          std::abs(factor * this->Mesh.Points[point][axis]) > this->MostDistance)
+        {
+          return false;
+        }
+        this->Mesh.Star(point, this->Cells);
+      }
+      SortUniquely(this->Cells);
+      unfit.clear();
+      std::copy_if(this->Cells.begin(), this->Cells.end(), std::back_inserter(unfit),
+        [&](Id cell) { return !this->StaysFit(cell, this->PlacesOf(cell, placeOf)); });
+    }
+    if (IsRefused(this->PlacesOf(mended, placeOf)) || !this->MovesSurface(this->Cells, placeOf))
+    {
+      return false;
+    }
+    for (const Id point : stretched)
+    {
+      this->Mesh.StarWithWalls(point, this->Cells, this->Walls);
+      this->Mesh.Move(point, placeOf(point), this->Walls);
+    }
+    ++this->Changes;
+    return true;
+  }
+
+  template <class PlaceOf>
+  std::array<Point, 4> PlacesOf(Id cell, const PlaceOf& placeOf) const
+  {
+    const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
+    std::array<Point, 4> places;
+    std::transform(corners.begin(), corners.end(), places.begin(), placeOf);
+    return places;
+  }
+
+  /** Whether points of the surface may move; the bound then has its new pieces. */
+  template <class PlaceOf>
+  bool MovesSurface(const std::vector<Id>& cells, const PlaceOf& placeOf)
   {
     std::vector<SurfacePiece> pieces;
-    for (const Id cell : this->Cells)
+    std::vector<SurfacePiece> moved;
+    for (const Id cell : cells)
     {
       for (int k = 0; k < 4; ++k)
       {
-        if (this->Mesh.Cell(cell).Corners[k] != point && this->Mesh.HasPiece(cell, k))
+        if (this->Mesh.HasPiece(cell, k))
         {
-          pieces.push_back(PieceAt(this->Mesh, cell, k));
+          const SurfacePiece piece = PieceAt(this->Mesh, cell, k);
+          SurfacePiece there = piece;
+          std::transform(piece.Corners.begin(), piece.Corners.end(), there.Places.begin(), placeOf);
+          if (there.Places != piece.Places)
+          {
+            pieces.push_back(piece);
+            moved.push_back(there);
+          }
         }
-      }
-    }
-    std::vector<SurfacePiece> moved = pieces;
-    for (SurfacePiece& piece : moved)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        piece.Places[k] = piece.Corners[k] == point ? place : piece.Places[k];
       }
     }
     const bool isLocked = std::any_of(pieces.begin(), pieces.end(),
       [this](const SurfacePiece& piece) { return this->Surface.IsLocked(piece.Facet); });
-    if (isLocked || !this->Bound.AllowsEach(pieces, pieces, moved))
+    if (pieces.empty())
+    {
+      return true;
+    }
+    if (isLocked || !this->Bound.AllowsMove(pieces, moved))
     {
       return false;
     }

@@ -148,8 +148,16 @@ bool SurfaceBound::Allows(const std::vector<SurfacePiece>& gone, std::vector<Sur
 bool SurfaceBound::AllowsEach(const std::vector<SurfacePiece>& moved,
   const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh, double share)
 {
-  return EachLooksAlike(moved, fresh) && this->StaysNear(gone, fresh, share * this->Tolerance) &&
+  return EachLooksAlike(moved, fresh, 0) && this->StaysNear(gone, fresh, share * this->Tolerance) &&
     this->Accepts(gone, fresh);
+}
+
+bool SurfaceBound::AllowsMove(
+  const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh)
+{
+  // Without a budget the turned pieces might add up.
+  return EachLooksAlike(gone, fresh, this->Budget ? this->Tolerance : 0) &&
+    this->StaysNear(gone, fresh, this->Tolerance) && this->Accepts(gone, fresh);
 }
 
 /** Whether both surfaces are near each other; sets the facets that fresh pieces are near to. */

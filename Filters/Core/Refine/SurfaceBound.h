@@ -74,6 +74,10 @@ public:
   bool AllowsEach(const std::vector<SurfacePiece>& moved, const std::vector<SurfacePiece>& gone,
     std::vector<SurfacePiece>& fresh, double share = 1);
 
+  /** The same if only points of the pieces move. If there is a budget, pieces lower than the
+   * tolerance may turn. */
+  bool AllowsMove(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh);
+
   /** Whether pieces that differ only in their triangulation, up to rounding, may replace others. */
   bool AllowsCut(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
 

@@ -132,11 +132,17 @@ bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfaceP
       [&](const SurfacePiece& piece) { return LooksWhere(piece, sum); });
 }
 
-bool EachLooksAlike(const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh)
+bool EachLooksAlike(
+  const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh, double low)
 {
+  const auto isLow = [low](const SurfacePiece& piece)
+  { return Length(NormalOf(piece)) <= low * LongestEdgeOf(piece.Places); };
   return std::equal(fresh.begin(), fresh.end(), before.begin(),
-    [](const SurfacePiece& now, const SurfacePiece& then)
-    { return LooksWhere(now, NormalOf(then)) || (IsThin(then.Places) && IsThin(now.Places)); });
+    [&](const SurfacePiece& now, const SurfacePiece& then)
+    {
+      return LooksWhere(now, NormalOf(then)) || (IsThin(then.Places) && IsThin(now.Places)) ||
+        (isLow(then) && isLow(now));
+    });
 }
 
 SurfacePiece PieceAt(const RefinableMesh& mesh, Id cell, int k)

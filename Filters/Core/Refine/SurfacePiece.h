@@ -49,9 +49,10 @@ bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfaceP
 /**
  * Whether each fresh piece faces the same way as the one it replaces. One that replaces a thin one
  * may be thin itself: its normal is a rounding error.
+ * @param[in] low height at or below which both pieces may face anywhere
  */
 bool EachLooksAlike(
-  const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh);
+  const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh, double low);
 
 /** The piece of the cell's face opposite to corner k, counter-clockwise seen from within. */
 SurfacePiece PieceAt(const RefinableMesh& mesh, Id cell, int k);

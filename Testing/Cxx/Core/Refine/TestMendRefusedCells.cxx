@@ -87,6 +87,22 @@ TetrahedralMesh CubeWithTinyTriangle(double edge, double cut)
   return ConnectCells(points, DelaunayOfPoints(points, 100, monitor).Cells);
 }
 
+/** A layer of stacked flat cells near z = 0, all between the points of a grid. */
+TetrahedralMesh FlatLayer()
+{
+  const double low = std::ldexp(1, -76);
+  std::vector<Point> points;
+  for (int x = 0; x < 7; ++x)
+  {
+    for (int y = 0; y < 7; ++y)
+    {
+      points.push_back({ { 10.0 * x, 10.0 * y + x, low * (x * x + y * y + 1) } });
+    }
+  }
+  Monitor monitor;
+  return ConnectCells(points, DelaunayOfPoints(points, 100, monitor).Cells);
+}
+
 RefinedMesh Refined(const TetrahedralMesh& mesh, bool mends)
 {
   RefinementParameters parameters;
@@ -185,6 +201,48 @@ TEST(MendRefusedCells, ALowStepIsContracted)
     count += mending.Mesh.CellAt(p) != None && std::abs(mending.Mesh.Points[p][2]) < 1e-6 ? 1 : 0;
   }
   EXPECT_LT(count, 15) << "as many as before";
+}
+
+TEST(MendRefusedCells, StackedFlatCellsNearZeroAreStretchedTogether)
+{
+  const TetrahedralMesh layer = FlatLayer();
+  MendingOf mending(layer);
+  EXPECT_GT(mending.CountCells(), 100);
+  EXPECT_EQ(mending.CountRefusedCells(), 0);
+  EXPECT_EQ(mending.Changes, 1);
+  for (const Point& place : mending.Mesh.Points)
+  {
+    EXPECT_LE(std::abs(place[2]), 1e-6);
+  }
+}
+
+TEST(MendRefusedCells, APieceLowerThanTheToleranceMayTurnWhereAreasHaveABudget)
+{
+  const double cut = 1e-7;
+  const TetrahedralMesh cube = CubeWithTinyTriangle(1, cut);
+  const std::vector<FacetOfInput> facets = FacetsOf(cube, {}, {});
+  const RefinableMesh mesh = MakeRefinable(cube, {}, facets);
+  std::vector<SurfacePiece> gone;
+  std::vector<SurfacePiece> moved;
+  for (const SurfacePiece& piece : PiecesOf(mesh))
+  {
+    const auto at =
+      std::find(piece.Corners.begin(), piece.Corners.end(), 0) - piece.Corners.begin();
+    if (at < 3)
+    {
+      gone.push_back(piece);
+      moved.push_back(piece);
+      moved.back().Places[at] = { { -cut, 0, 0 } };
+    }
+  }
+  for (const bool hasBudget : { false, true })
+  {
+    SurfaceBudget budget(mesh, facets);
+    SurfaceBound bound(
+      mesh, facets, SurfaceTreatment::Remeshed, 10 * cut, hasBudget ? &budget : nullptr);
+    EXPECT_EQ(bound.AllowsMove(gone, moved), hasBudget);
+    EXPECT_FALSE(bound.AllowsEach(gone, gone, moved));
+  }
 }
 
 TEST(MendRefusedCells, InnerCellsAtATinyTriangleAreLargeEnough)
