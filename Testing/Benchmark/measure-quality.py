@@ -8,8 +8,9 @@ surface is meshed by the command line as it comes, without refinement. Every oth
 solid, watertight and without crossings, with a point in each cavity: vtkRefineTetrahedra gets the solid itself. Each
 runs in a process of its own, with a limit of processor time (120 s) and memory, with its defaults for sizes; its
 seconds are its own, without files. If our 1 % angle is below another's that has more cells, ours is meshed again with a
-Grading that gives about as many cells. The option --set sets a property of vtkRefineTetrahedra, to bring our number of
-cells near another's: `--set EdgeLength=0.1`. The option --only runs those meshers whose names match a regular expression. --table writes all
+Grading that gives about as many cells; if it is remeshed and has more cells than 1.2 times the other's, with an
+EdgeLength, within 1 % of the diagonal, that gives 0.9 to 1.2 times as many. The option --set sets a property of
+vtkRefineTetrahedra: `--set EdgeLength=0.1`. The option --only runs those meshers whose names match a regular expression. --table writes all
 figures, --inputs keeps the files that the meshers were given.
 
 Prints lines as Measure.h does: of the 1 % quantiles of dihedral angles where both made a mesh, and of the seconds. The
@@ -31,6 +32,7 @@ from pathlib import Path
 from typing import Optional
 
 import insideout
+import numpy as np
 from meshers import Mesher, Outcome, mesh_as_it_comes, meshers, outcome_of, write_inputs
 from solids import Boundary, boundary_of, points_and_cells, read_grid, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -57,10 +59,30 @@ PAIRS = {
 MOST_SECONDS = 1.5
 """Times what the other takes, in the median."""
 
-LIKE_NUMBER = (0.8, 1.0)
-"""Our number of cells, relative to the other's."""
-GRADINGS = (0.001, 0.5)
 MOST_TRIES = 8
+"""Values of a property at most."""
+
+
+@dataclass(frozen=True)
+class Way:
+    """To come near another's number of cells: a property to bisect."""
+
+    name: str
+    fine: float
+    coarse: float
+    number: tuple[float, float]
+    """Our number of cells that is looked for, relative to the other's."""
+    others: tuple[tuple[str, float], ...] = ()
+    """Properties beside it."""
+
+    def settings(self, value: float, diagonal: float) -> list[str]:
+        """Lengths are shares of the diagonal."""
+        all_values = ((self.name, value), *self.others)
+        return [f"{name}={one if name == 'Grading' else one * diagonal:.4g}" for name, one in all_values]
+
+
+MORE_CELLS = Way("Grading", 0.001, 0.5, (0.8, 1.0))
+FEWER_CELLS = Way("EdgeLength", 0.01, 0.6, (0.9, 1.2), (("SurfaceTolerance", 0.01),))
 
 OF_SURFACE = ("surface", "triangles", "edges under 10 degrees", "cavities")
 OF_MESH = ("mesher", "cells", "least angle", "1 %", "largest angle", "radius-edge 99 %", "radius-edge largest", "seconds", "trouble")
@@ -90,6 +112,14 @@ class Row:
         """Whether our 1 % angle is smaller, of two that both meshed."""
         own, other = self.one_percent(ours), self.one_percent(peer)
         return own is not None and other is not None and own < other
+
+    def way_to_cells_of(self, ours: str, peer: str) -> Optional[Way]:
+        """How to compare two that both meshed with very different numbers of cells; none if that is fair already."""
+        if self.one_percent(ours) is None or self.one_percent(peer) is None:
+            return None
+        if self.is_below(ours, peer) and self.cells(ours) < MORE_CELLS.number[0] * self.cells(peer):
+            return MORE_CELLS
+        return FEWER_CELLS if peer == "Netgen" and self.cells(ours) > FEWER_CELLS.number[1] * self.cells(peer) else None
 
     def lines(self) -> list[list[str]]:
         """A row of the table."""
@@ -134,11 +164,13 @@ def measure(surface: str, folder: Path, options: argparse.Namespace) -> Row:
             outcome = row.outcomes[mesher.name] = mesher.run(folder, volume, options.limit)
             if mesher.package is None and outcome.seconds is not None:
                 outcome.seconds += seconds  # TetGen's, too, begin with the boundary
+    diagonal = float(np.linalg.norm(np.ptp(boundary.points, axis=0)))
     for ours, peer in PAIRS.values():
-        if row.is_below(ours, peer) and row.cells(ours) < LIKE_NUMBER[0] * row.cells(peer):
-            like = with_cells_like(row, ours, peer, folder, volume, options)
-            if like is not None:
-                row.outcomes[like_name(ours)] = like
+        way = row.way_to_cells_of(ours, peer)
+        like = way and with_cells_like(row, ours, peer, way, diagonal, folder, volume, options)
+        if like is not None:
+            row.outcomes[like_name(ours)] = like
+            like.seconds += seconds
     return row
 
 
@@ -146,18 +178,22 @@ def like_name(ours: str) -> str:
     return f"{ours}, about as many cells"
 
 
-def with_cells_like(row: Row, ours: str, peer: str, folder: Path, volume: float, options: argparse.Namespace) -> Optional[Outcome]:
-    """Ours with the Grading, found by bisection, that gives about as many cells as the other has."""
-    fine, coarse = GRADINGS
+def with_cells_like(
+    row: Row, ours: str, peer: str, way: Way, diagonal: float, folder: Path, volume: float, options: argparse.Namespace
+) -> Optional[Outcome]:
+    """Ours with the value, found by bisection, that gives about as many cells as the other has."""
+    fine, coarse = way.fine, way.coarse
     for _ in range(MOST_TRIES):
-        grading = math.sqrt(fine * coarse)
-        mesher = next(one for one in meshers([*options.set, f"Grading={grading:.4g}"]) if one.name == ours)
+        value = math.sqrt(fine * coarse)
+        settings = way.settings(value, diagonal)
+        mesher = next(one for one in meshers([*options.set, *settings]) if one.name == ours)
         outcome = mesher.run(folder, volume, options.limit)
-        number = outcome.figures["Cells"] / row.cells(peer) if outcome.figures else math.inf
-        if LIKE_NUMBER[0] <= number <= LIKE_NUMBER[1]:
-            outcome.trouble = f"Grading {grading:.4g}"
+        without = math.inf if way is MORE_CELLS else 0  # it is over the limit, or lacks too much of the volume
+        number = outcome.figures["Cells"] / row.cells(peer) if outcome.figures else without
+        if way.number[0] <= number <= way.number[1]:
+            outcome.trouble = " ".join(settings)
             return outcome
-        fine, coarse = (grading, coarse) if number > 1 else (fine, grading)
+        fine, coarse = (value, coarse) if number > 1 else (fine, value)
     return None
 
 
@@ -179,6 +215,9 @@ def ratio_lines(row: Row) -> list[str]:
             like = row.one_percent(like_name(ours))
             if like is not None:
                 lines.append(f"ratio quality/{prefix}{row.name}/like-number {like / other:.3f} at least 1.0")
+                if ours == "ours, remeshed":
+                    seconds = row.outcomes[like_name(ours)].seconds / row.outcomes[peer].seconds
+                    lines.append(f"ratio quality/{prefix}{row.name}/like-number/seconds {seconds:.3f} at most {MOST_SECONDS}")
     return lines
 
 

@@ -44,7 +44,8 @@ bool AreLessThin(const std::vector<SurfacePiece>& gone, const std::vector<Surfac
     double least = std::numeric_limits<double>::infinity();
     for (const SurfacePiece& piece : pieces)
     {
-      least = std::min(least, Length(NormalOf(piece)) / LongestEdgeOf(piece.Places));
+      const double height = Length(NormalOf(piece)) / LongestEdgeOf(piece.Places);
+      least = height > 0 ? std::min(least, height) : 0; // three equal points have none
     }
     return least;
   };

@@ -22,9 +22,9 @@ double QuickDistance(const Point& a, const Point& b);
 double AreaOf(const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles);
 
 /**
- * Groups of triangles in a binary tree. Far from a node its winding number is a Multipole, up to
- * 2^-51 and rounding. So the far groups cost a site as much as the logarithm of their number. The
- * near groups are left to the caller.
+ * Groups of triangles in a binary tree. Far from a node its winding number is a Multipole, which
+ * leaves out less than 2^-51 of it; sums over many nodes are right to some 1e-14. So the far groups
+ * cost a site as much as the logarithm of their number. The near groups are left to the caller.
  */
 class MultipoleTree
 {
