@@ -167,8 +167,9 @@ void CapsInGrid::AddFarCaps(GridBox& box) const
   std::iota(order.begin(), order.end(), 0);
   const std::vector<Tetrahedron> cells = CellsOfPoints(places.size());
   Monitor silent;
-  WindingNumberOfCaps(this->Points, caps, 0)
-    .Add({ places, cells }, order, box.Values, silent, { "", 0, 1 });
+  const ProgressRange unreported = { "", 0, 1 };
+  WindingNumberOfCaps(this->Points, caps, 0, silent, unreported)
+    .Add({ places, cells }, order, box.Values, silent, unreported);
 }
 
 /**

@@ -22,7 +22,7 @@ ExactWindingNumber::ExactWindingNumber(const std::vector<Point>& points,
   Monitor& monitor, const ProgressRange& progress, std::size_t sites)
   : Caps(CapHolesInOrder(points, boundary))
   , Tree(points, CloseChain(std::move(triangles), this->Caps.InIds()), monitor, progress)
-  , SumOfCaps(this->Caps.Points, this->Caps.Caps, sites)
+  , SumOfCaps(this->Caps.Points, this->Caps.Caps, sites, monitor, progress)
 {
 }
 

@@ -2,7 +2,6 @@
 #include "WindingNumber/MultipoleTree.h"
 
 #include "Common/Box.h"
-#include "Common/ParallelLoop.h"
 #include "Common/SortUniquely.h"
 #include "Common/Vectors.h"
 #include "WindingNumber/Pi.h"
@@ -21,11 +20,11 @@ constexpr double LeastSeen = 0x1p-51;
 // Steps to find the ratio of a radius and a distance: more would not save a degree.
 constexpr int Bisections = 24;
 
-// Keeps bounds valid despite rounding.
-constexpr double RoundedUp = 1 + 0x1p-40;
-
 // Smaller radii would underflow when squared.
 constexpr double LeastRadius = 0x1p-400;
+
+// Keeps bounds valid despite rounding.
+constexpr double RoundedUp = 1 + 0x1p-40;
 
 // An expansion takes as long as its group at some 5,000 sites, and pays off where most groups are
 // far from most sites.
@@ -116,7 +115,8 @@ double AreaOf(const std::vector<Point>& points, const std::vector<CountedTriangl
 }
 
 MultipoleTree::MultipoleTree(const std::vector<Point>& points,
-  const std::vector<std::vector<CountedTriangle>>& groups, std::size_t sites)
+  const std::vector<std::vector<CountedTriangle>>& groups, std::size_t sites, Monitor& monitor,
+  const ProgressRange& progress)
   : NumberOfGroups(groups.size())
 {
   if (groups.size() < LeastGroups || sites < LeastSites)
@@ -143,7 +143,8 @@ MultipoleTree::MultipoleTree(const std::vector<Point>& points,
   }
   for (const std::vector<Id>& level : levels)
   {
-    ParallelLoop(level.size(), nanosecondsPerNode,
+    ParallelLoop(level.size(), nanosecondsPerNode, monitor,
+      { progress.Stage, progress.Begin, progress.Begin },
       [&](std::size_t i)
       {
         Node& node = this->Nodes[level[i]];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/ParallelLoop.h"
 #include "WindingNumber/Multipole.h"
 #include "WindingNumber/SolidAngleTiles.h"
 
@@ -33,9 +34,12 @@ public:
    * @param[in] groups in an order in which neighbors are near each other; their triangles are not
    * degenerate
    * @param[in] sites how many will be asked for; if these are few, all groups count as near
+   * @param[in] progress reported all the time is its begin
+   * @throws Error (Stopped)
    */
   MultipoleTree(const std::vector<Point>& points,
-    const std::vector<std::vector<CountedTriangle>>& groups, std::size_t sites);
+    const std::vector<std::vector<CountedTriangle>>& groups, std::size_t sites, Monitor& monitor,
+    const ProgressRange& progress);
 
   /** The nodes that take the place of all groups but the near ones, for some sites. */
   struct Selection

@@ -131,7 +131,8 @@ const PhaseProducts Ones = []
 } // namespace
 
 WindingNumberOfCaps::WindingNumberOfCaps(const std::vector<Point>& points,
-  const std::vector<std::vector<CountedTriangle>>& caps, std::size_t sites)
+  const std::vector<std::vector<CountedTriangle>>& caps, std::size_t sites, Monitor& monitor,
+  const ProgressRange& progress)
   : Points(points)
   , Triangles(points)
 {
@@ -148,7 +149,7 @@ WindingNumberOfCaps::WindingNumberOfCaps(const std::vector<Point>& points,
   {
     this->AddBunches(chains.data(), chains.data() + chains.size(), bunches);
   }
-  this->Tree = std::make_unique<const MultipoleTree>(points, bunches, sites);
+  this->Tree = std::make_unique<const MultipoleTree>(points, bunches, sites, monitor, progress);
 }
 
 /** Halve the caps across their longest extent until they fit a bunch. */

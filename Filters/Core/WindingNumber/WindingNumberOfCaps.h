@@ -30,9 +30,11 @@ public:
    * @param[in] points of the caps, below 1 in each coordinate; has to live as long as this object
    * @param[in] caps each a chain of triangles that are not degenerate; connected ones serve best
    * @param[in] sites how many will be asked for: many are worth a MultipoleTree
+   * @throws Error (Stopped)
    */
   WindingNumberOfCaps(const std::vector<Point>& points,
-    const std::vector<std::vector<CountedTriangle>>& caps, std::size_t sites);
+    const std::vector<std::vector<CountedTriangle>>& caps, std::size_t sites, Monitor& monitor,
+    const ProgressRange& progress);
 
   /**
    * Add the winding number at site order[i] to w[order[i]], for all i. Fastest

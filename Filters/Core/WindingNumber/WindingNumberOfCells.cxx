@@ -105,8 +105,9 @@ public:
     std::vector<std::vector<CountedTriangle>> apart = closed.Caps;
     apart.push_back(beyond);
     const std::vector<char> touched = TouchedCells(points, mesh.Cells, apart);
-    this->Caps = std::make_unique<const WindingNumberOfCaps>(
-      points, closed.Caps, mesh.Cells.size() * rule.Sites.size());
+    this->Caps = std::make_unique<const WindingNumberOfCaps>(points, closed.Caps,
+      mesh.Cells.size() * rule.Sites.size(), monitor,
+      ProgressRange{ Stages::WindingNumbers, 0, 0 });
     // Walking takes one thread; another one may sort meanwhile.
     const double nanosecondsPerCell = 30; // of each of the two
     ParallelLoop(2, nanosecondsPerCell * static_cast<double>(mesh.Cells.size()),
@@ -216,7 +217,8 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface,
   }
   const PartlyWalked rest(
     points, mesh, counts, std::move(straight.Rest), beyondRest, rule, monitor);
-  const WindingNumberOfStraightCaps caps(points, straight, mesh.Cells.size() * rule.Sites.size());
+  const WindingNumberOfStraightCaps caps(points, straight, mesh.Cells.size() * rule.Sites.size(),
+    monitor, { Stages::WindingNumbers, 0.1, 0.1 });
   std::vector<Id> order = rest.OrderOfCells();
   if (order.empty() && !straight.Caps.empty())
   {
@@ -285,7 +287,7 @@ std::vector<double> WindingNumberOfOtherCells(const FacetComplex& surface,
     CountedBoundary(straight.Rest, static_cast<Id>(corners.size()));
   const ExactWindingNumber rest(corners, std::move(straight.Rest), boundary, monitor,
     { progress.Stage, progress.Begin, progress.Begin }, sites);
-  const WindingNumberOfStraightCaps caps(corners, straight, sites);
+  const WindingNumberOfStraightCaps caps(corners, straight, sites, monitor, progress);
   const std::vector<Id> order = SpatialOrder({ scaled, cells });
   return MeansOf(rule,
     [&](std::size_t i)

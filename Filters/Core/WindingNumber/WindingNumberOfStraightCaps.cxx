@@ -40,8 +40,8 @@ std::vector<Id> OrderOfCaps(const std::vector<Point>& points, const std::vector<
 constexpr long double RoundingErrors = 16;
 } // namespace
 
-WindingNumberOfStraightCaps::WindingNumberOfStraightCaps(
-  const std::vector<Point>& points, const StraightCaps& caps, std::size_t sites)
+WindingNumberOfStraightCaps::WindingNumberOfStraightCaps(const std::vector<Point>& points,
+  const StraightCaps& caps, std::size_t sites, Monitor& monitor, const ProgressRange& progress)
   : Points(points)
   , Caps(caps)
   , Slivers(points, caps.Slivers)
@@ -63,7 +63,7 @@ WindingNumberOfStraightCaps::WindingNumberOfStraightCaps(
     this->CapOf.insert(this->CapOf.end(), count, static_cast<std::size_t>(i));
   }
   this->FirstOfGroup.push_back(this->Triangles.size());
-  this->Tree = std::make_unique<const MultipoleTree>(points, groups, sites);
+  this->Tree = std::make_unique<const MultipoleTree>(points, groups, sites, monitor, progress);
   this->Trees.assign(caps.Caps.size(), BoxTree(std::vector<Box>()));
   this->IsTreeMade = std::make_unique<std::once_flag[]>(caps.Caps.size());
 }

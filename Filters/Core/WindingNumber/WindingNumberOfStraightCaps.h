@@ -25,9 +25,10 @@ public:
    * @param[in] points of the caps, below 1 in each coordinate; both have to live as long as this
    * object
    * @param[in] sites how many will be asked for: many are worth a MultipoleTree
+   * @throws Error (Stopped)
    */
-  WindingNumberOfStraightCaps(
-    const std::vector<Point>& points, const StraightCaps& caps, std::size_t sites);
+  WindingNumberOfStraightCaps(const std::vector<Point>& points, const StraightCaps& caps,
+    std::size_t sites, Monitor& monitor, const ProgressRange& progress);
 
   /**
    * Add the winding number at site order[i] to w[order[i]], for all i. Fastest

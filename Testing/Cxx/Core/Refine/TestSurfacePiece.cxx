@@ -48,6 +48,13 @@ TEST(LookAlike, NeedlesMayReplaceNeedlesOfALowerLeastHeightWhicheverWayTheyFace)
   EXPECT_FALSE(LookAlike(needles.Upright, needles.Across));
 }
 
+TEST(LookAlike, APieceOfOnePlaceMayNotReplaceANeedle)
+{
+  const Strip needles(1e-8);
+  const Point a = { 0, 0, 0 };
+  EXPECT_FALSE(LookAlike(needles.Across, { Piece({ a, a, a }), Piece({ a, a, a }) }));
+}
+
 TEST(LookAlike, NeedlesAndPiecesTurnedOverMayNotReplaceOthers)
 {
   const Strip wide(1e-2);

@@ -60,6 +60,12 @@ struct Groups
   }
 };
 
+MultipoleTree TreeOf(const Groups& groups, std::size_t sites = ManySites)
+{
+  Monitor silent;
+  return { groups.Points, groups.Triangles, sites, silent, { "", 0, 1 } };
+}
+
 /** Sites about as near to each other as `size`. */
 SiteBlock BlockAt(const Point& middle, double size, std::mt19937& random)
 {
@@ -78,7 +84,7 @@ SiteBlock BlockAt(const Point& middle, double size, std::mt19937& random)
 TEST(MultipoleTree, FarAndNearGroupsAddUpToAll)
 {
   const Groups groups(1);
-  const MultipoleTree tree(groups.Points, groups.Triangles, ManySites);
+  const MultipoleTree tree = TreeOf(groups);
   std::vector<Id> all(groups.Triangles.size());
   for (std::size_t i = 0; i < all.size(); ++i)
   {
@@ -108,7 +114,7 @@ TEST(MultipoleTree, FarAndNearGroupsAddUpToAll)
 TEST(MultipoleTree, FewSitesFindAllGroupsNear)
 {
   const Groups groups(1);
-  const MultipoleTree tree(groups.Points, groups.Triangles, 100);
+  const MultipoleTree tree = TreeOf(groups, 100);
   std::mt19937 random(2);
   MultipoleTree::Selection selection;
   tree.Select(BallAround(BlockAt({ 100, 0, 0 }, 0.01, random)), selection);
@@ -116,10 +122,45 @@ TEST(MultipoleTree, FewSitesFindAllGroupsNear)
   EXPECT_EQ(selection.Near.size(), groups.Triangles.size());
 }
 
+TEST(MultipoleTree, CanBeStopped)
+{
+  struct Stop : Monitor
+  {
+    bool Continue(const char*, double) override { return false; }
+  } stop;
+  const Groups groups(1);
+  EXPECT_THROW(
+    MultipoleTree(groups.Points, groups.Triangles, ManySites, stop, { "", 0, 1 }), Error);
+}
+
+TEST(MultipoleTree, GroupsWhoseSizeUnderflowsWhenSquaredAddNothingVisible)
+{
+  Groups groups(1);
+  for (Point& p : groups.Points)
+  {
+    for (double& x : p)
+    {
+      x = std::ldexp(x, -600);
+    }
+  }
+  const MultipoleTree tree = TreeOf(groups);
+  std::mt19937 random(2);
+  const SiteBlock block = BlockAt({ 0.5, 0, 0 }, 0.01, random);
+  MultipoleTree::Selection selection;
+  tree.Select(BallAround(block), selection);
+  EXPECT_FALSE(selection.Far.empty());
+  double w[Lanes] = {};
+  tree.Add(selection, block, w);
+  for (const double value : w)
+  {
+    EXPECT_LT(std::abs(value), 1e-100); // false for NaN
+  }
+}
+
 TEST(MultipoleTree, DegreesFallWithDistance)
 {
   const Groups groups(1);
-  const MultipoleTree tree(groups.Points, groups.Triangles, ManySites);
+  const MultipoleTree tree = TreeOf(groups);
   std::mt19937 random(2);
   int last = MultipoleDegree + 1;
   for (const double distance : { 8., 64., 512., 4096. })
