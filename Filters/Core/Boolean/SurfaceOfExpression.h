@@ -27,7 +27,7 @@ struct ExpressionSurface
  *
  * The surface is watertight, and any two of its triangles meet only in shared points and edges. The
  * union of one body repairs it: self-intersections and inner walls are removed. The solid equals
- * that of the cut with weights for which IsCutByWholeNumbers (CutEnergy.h) is true.
+ * that of the cut with weights for which IsCutByWholeNumbers (RealEnergy.h) is true.
  *
  * @param[in] bodies one for each of expression.Bodies()
  * @return nothing if a body is open or a facet was left out in resolving: its winding number then

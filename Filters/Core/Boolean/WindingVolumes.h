@@ -18,7 +18,7 @@ struct WindingVolumes
 /**
  * Find the volumes within a closed surface, to some units in the last place: sums over the facets
  * at which the winding number passes 1, and 2 (divergence theorem). The first is the volume of the
- * solid that the cut gives with weights for which IsCutByWholeNumbers (CutEnergy.h) is true.
+ * solid that the cut gives with weights for which IsCutByWholeNumbers (RealEnergy.h) is true.
  *
  * @param[in] surface resolved
  * @return nothing if the surface is open, or a facet was left out in resolving

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCut/CellParts.h"
 
+#include "Common/Error.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

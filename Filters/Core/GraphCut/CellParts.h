@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "GraphCut/CutEnergy.h"
+#include "GraphCut/RealEnergy.h"
 
 namespace insideout
 {

@@ -112,7 +112,7 @@ Segmentation GraphCutSegmentation(
   const CellGraph& graph, const GraphCutParameters& parameters, Monitor& monitor)
 {
   monitor.Check(Stages::Segmenting, 0);
-  const CutEnergy energy(graph, parameters);
+  const CutEnergy energy{ RealEnergy(graph, parameters) };
   monitor.Check(Stages::Segmenting, 0.2);
   Segmentation result;
   result.Inside = MinimumCut(energy);

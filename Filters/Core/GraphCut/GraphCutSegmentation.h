@@ -12,7 +12,7 @@ struct Segmentation
 };
 
 /**
- * Stage cut: the labelling of the cells that minimizes the energy (CutEnergy.h) and meets the
+ * Stage cut: the labelling of the cells that minimizes the energy (RealEnergy.h) and meets the
  * demands, as a minimum cut (Boykov and Kolmogorov 2004). Among several minima the one with the
  * fewest inside cells is taken. The same for any number of threads.
  *

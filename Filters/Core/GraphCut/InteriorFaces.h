@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Common/TetrahedralMesh.h"
-#include "GraphCut/CutEnergy.h"
+#include "GraphCut/RealEnergy.h"
 
 namespace insideout
 {

@@ -6,6 +6,7 @@
 #include "GraphCut/InteriorFaces.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace insideout
 {
@@ -61,6 +62,76 @@ ScaledSizes VolumesOf(const TetrahedralMesh& mesh)
   return { CellVolumes(mesh), 3 * LargestExponent(mesh.Points) };
 }
 
+/** Labels, and what the constraints did. */
+struct Labelling
+{
+  std::vector<unsigned char> Cut; ///< before the constraints
+  std::vector<unsigned char> Inside;
+  double EnergyOfCut = 0;
+  double Energy = 0;
+  FacetConstraint::Outcome Kept;
+  ManifoldConstraint::Outcome Filled;
+  ControlledTopology Topology;
+  Id ForcedCells = 0;
+};
+
+/** Whether the minimum is known without a cut (IsCutByWholeNumbers), and nothing constrains it. */
+bool NeedsNoCut(const CellGraph& graph, const SegmentMeshParameters& parameters)
+{
+  return graph.Demands.empty() && !parameters.ConstrainFacets && !parameters.FillNonManifold &&
+    parameters.Topology.ChangeNothing() && IsCutByWholeNumbers(parameters.Cut) &&
+    std::all_of(graph.W.begin(), graph.W.end(), [](double w) { return w == std::floor(w); });
+}
+
+Labelling LabelsOfWholeNumbers(const RealEnergy& energy)
+{
+  const std::vector<double>& w = energy.Cells().W;
+  Labelling result;
+  result.Inside.resize(w.size());
+  std::transform(w.begin(), w.end(), result.Inside.begin(), [](double of) { return of >= 1; });
+  result.Cut = result.Inside;
+  result.Energy = result.EnergyOfCut = result.Topology.EnergyBefore = energy.Of(result.Inside);
+  return result;
+}
+
+Labelling CutAndConstrain(const CutEnergy& energy, const std::vector<FacetPiece>& pieces,
+  const SegmentMeshParameters& parameters, const MeshToSegment& mesh, Monitor& monitor)
+{
+  Labelling result;
+  result.Cut = MinimumCut(energy);
+  result.EnergyOfCut = energy.Of(result.Cut);
+  const auto energyOf = [&](const std::vector<unsigned char>& inside)
+  { return inside == result.Cut ? result.EnergyOfCut : energy.Of(inside); };
+  monitor.Check(Stages::Segmenting, BeforeFacets);
+
+  GreedyLabels labels(energy, result.Cut);
+  FacetConstraint facets(pieces, energy.NumberOfCells());
+  if (parameters.ConstrainFacets)
+  {
+    result.Kept = facets.Satisfy(labels, monitor, BeforeFacets, BeforeManifold);
+  }
+  if (parameters.FillNonManifold)
+  {
+    result.Filled = mesh.MakeManifold(labels, monitor, BeforeManifold, BeforeTopology);
+  }
+  result.Inside = labels.Labels();
+  if (parameters.Topology.ChangeNothing())
+  {
+    result.Topology.EnergyBefore = energyOf(result.Inside);
+  }
+  else
+  {
+    result.Topology = ControlTopology(mesh.ListCells(), energy,
+      { &energy.Demands(), parameters.ConstrainFacets ? &pieces : nullptr,
+        parameters.FillNonManifold ? mesh.MakeManifold : MakeManifold() },
+      parameters.Topology, result.Inside, monitor, { Stages::Segmenting, BeforeTopology, 1 });
+    result.Filled.LeftPoints = std::max(result.Filled.LeftPoints, result.Topology.LeftPoints);
+  }
+  result.ForcedCells = labels.NumberOfForced() + result.Topology.ForcedCells;
+  result.Energy = energyOf(result.Inside);
+  return result;
+}
+
 void Tell(const ControlledTopology& topology, MeshSegmentation& result)
 {
   const std::vector<std::string>& warnings = topology.Warnings;
@@ -111,45 +182,17 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
   result.Warnings = std::move(seeded.Warnings);
   graph.Demands = std::move(seeded.Demands);
   const bool hasSeeds = !graph.Demands.empty();
-  const CutEnergy energy(graph, parameters.Cut);
+  RealEnergy energy(graph, parameters.Cut);
   monitor.Check(Stages::Segmenting, BeforeCut);
-  const std::vector<unsigned char> cut = MinimumCut(energy);
-  const double energyOfCut = energy.Of(cut);
-  const auto energyOf = [&](const std::vector<unsigned char>& inside)
-  { return inside == cut ? energyOfCut : energy.Of(inside); };
-  monitor.Check(Stages::Segmenting, BeforeFacets);
+  Labelling labelling = NeedsNoCut(graph, parameters)
+    ? LabelsOfWholeNumbers(energy)
+    : CutAndConstrain(CutEnergy(std::move(energy)), pieces, parameters, mesh, monitor);
+  result.Inside = std::move(labelling.Inside);
 
-  GreedyLabels labels(energy, cut);
-  FacetConstraint facets(pieces, energy.NumberOfCells());
-  FacetConstraint::Outcome kept;
-  if (parameters.ConstrainFacets)
-  {
-    kept = facets.Satisfy(labels, monitor, BeforeFacets, BeforeManifold);
-  }
-  ManifoldConstraint::Outcome filled;
-  if (parameters.FillNonManifold)
-  {
-    filled = mesh.MakeManifold(labels, monitor, BeforeManifold, BeforeTopology);
-  }
-  result.Inside = labels.Labels();
-  ControlledTopology topology;
-  if (parameters.Topology.ChangeNothing())
-  {
-    topology.EnergyBefore = energyOf(result.Inside);
-  }
-  else
-  {
-    topology = ControlTopology(mesh.ListCells(), energy,
-      { &graph.Demands, parameters.ConstrainFacets ? &pieces : nullptr,
-        parameters.FillNonManifold ? mesh.MakeManifold : MakeManifold() },
-      parameters.Topology, result.Inside, monitor, { Stages::Segmenting, BeforeTopology, 1 });
-    filled.LeftPoints = std::max(filled.LeftPoints, topology.LeftPoints);
-  }
-
-  const Id unsatisfied = static_cast<Id>(kept.Unsatisfied.size());
+  const Id unsatisfied = static_cast<Id>(labelling.Kept.Unsatisfied.size());
   if (unsatisfied > 0)
   {
-    const Id seed = SeedBeside(pieces[kept.Unsatisfied.front()], seeded);
+    const Id seed = SeedBeside(pieces[labelling.Kept.Unsatisfied.front()], seeded);
     result.Warnings.push_back(std::to_string(unsatisfied) +
       " pieces of facets are not kept, because seeds are to be outside on both sides of them: "
       "seed " +
@@ -170,19 +213,20 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
       " seeds that are to be inside are outside, because their regions were dropped: seed " +
       std::to_string(seeded.Seeds[droppedSeeds.front()]) + " is one");
   }
-  if (filled.LeftPoints > 0)
+  const Id leftPoints = labelling.Filled.LeftPoints;
+  if (leftPoints > 0)
   {
-    result.Warnings.push_back(std::to_string(filled.LeftPoints) +
+    result.Warnings.push_back(std::to_string(leftPoints) +
       " points of the boundary could not be made manifold: " +
       (!hasSeeds ? "the hull is not manifold there" : "seeds that are to be outside forbid it"));
   }
-  const Id changed = CountDifferent(result.Inside, cut);
-  result.Statistics = { { "Energy", energyOf(result.Inside) }, { "EnergyOfCut", energyOfCut },
-    { "ForcedFacets", kept.Forced },
-    { "ForcedCells", labels.NumberOfForced() + topology.ForcedCells }, { "ChangedCells", changed },
-    { "UnsatisfiedFacets", unsatisfied + dropped }, { "NonManifoldPoints", filled.LeftPoints },
-    { "SeedConflicts", seeded.Conflicts + unsatisfied + filled.LeftPoints + lostSeeds } };
-  Tell(topology, result);
+  const Id changed = CountDifferent(result.Inside, labelling.Cut);
+  result.Statistics = { { "Energy", labelling.Energy }, { "EnergyOfCut", labelling.EnergyOfCut },
+    { "ForcedFacets", labelling.Kept.Forced }, { "ForcedCells", labelling.ForcedCells },
+    { "ChangedCells", changed }, { "UnsatisfiedFacets", unsatisfied + dropped },
+    { "NonManifoldPoints", leftPoints },
+    { "SeedConflicts", seeded.Conflicts + unsatisfied + leftPoints + lostSeeds } };
+  Tell(labelling.Topology, result);
   monitor.Check(Stages::Segmenting, 1);
   return result;
 }

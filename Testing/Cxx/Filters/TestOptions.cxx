@@ -81,7 +81,7 @@ bool TakesCut(const GraphCutParameters& parameters)
     [&]()
     {
       const CellGraph graph = { { 0.2, 0.7 }, { { 0, 1, 1.0 } } };
-      const CutEnergy energy(graph, parameters);
+      const CutEnergy energy{ RealEnergy(graph, parameters) };
     });
 }
 

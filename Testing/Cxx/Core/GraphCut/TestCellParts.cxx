@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCut/CellParts.h"
 
+#include "Common/Error.h"
 #include "GraphCut/InteriorFaces.h"
 #include "Support/TestTetrahedra.h"
 

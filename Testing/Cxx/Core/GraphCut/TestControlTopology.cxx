@@ -555,7 +555,7 @@ TEST(ControlTopology, StopsAtEveryReport)
 {
   const Case made = RandomCase(3, 3);
   const CellGraph graph = { made.W, InteriorFaces(made.Mesh), {}, {} };
-  const CutEnergy energy(graph, {});
+  const CutEnergy energy{ RealEnergy(graph, {}) };
   const std::vector<unsigned char> labels = MinimumCut(energy);
   const SimplicialCells cells(made.Mesh.Points.size(), made.Mesh.Cells, made.Mesh.Neighbors,
     { { 2, 0, 1, 3 } },

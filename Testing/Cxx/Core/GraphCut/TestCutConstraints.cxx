@@ -213,7 +213,7 @@ TEST(ManifoldConstraint, IsSatisfiedFromAnyLabelling)
       inside.push_back(random() % 4 < 1 + seed % 3);
     }
     const CellGraph graph = { made.W, InteriorFaces(made.Mesh), {}, {} };
-    const CutEnergy energy(graph, {});
+    const CutEnergy energy{ RealEnergy(graph, {}) };
     GreedyLabels labels(energy, inside);
     ManifoldConstraint manifold(made.Mesh.Points.size(), made.Mesh.Cells, made.Mesh.Neighbors);
     Monitor monitor;

@@ -4,6 +4,7 @@
 #include "Common/Team.h"
 #include "GraphCut/CertainCells.h"
 #include "GraphCut/InteriorFaces.h"
+#include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
 #include "Support/CutReference.h"
 #include "Support/TestMeshes.h"
@@ -197,7 +198,7 @@ TEST(CertainCells, HaveTheirLabelInTheSmallestOfAllMinima)
       }
       everywhere &= EnergyOf(problem, inside) == least ? labels : ~0u;
     }
-    const CutEnergy energy(problem, problem.Parameters);
+    const CutEnergy energy{ RealEnergy(problem, problem.Parameters) };
     const CertainCells cells(energy);
     for (Id i = 0; i < energy.NumberOfCells(); ++i)
     {
@@ -207,6 +208,40 @@ TEST(CertainCells, HaveTheirLabelInTheSmallestOfAllMinima)
   }
   EXPECT_GT(certain, 300);
   EXPECT_GT(open, 100);
+}
+
+TEST(GraphCutSegmentation, OfWholeNumbersIsKnownWithoutACut)
+{
+  for (unsigned seed = 0; seed < 300; ++seed)
+  {
+    const int cells = 2 + static_cast<int>(seed % 60);
+    Problem problem = RandomProblem(seed, cells, 3 * cells);
+    std::mt19937 random(seed);
+    for (double& w : problem.W)
+    {
+      w = static_cast<double>(random() % 5) - 2;
+    }
+    for (InteriorFace& face : problem.Faces)
+    {
+      face.Area = std::ldexp(face.Area, static_cast<int>(random() % 40) - 20);
+    }
+    SegmentMeshParameters parameters; // the defaults, or smaller weights
+    parameters.Cut.Gamma *= seed % 2 ? 1 : 0.5;
+    parameters.Cut.Sigma *= seed % 3 ? 1 : 0.5;
+    problem.Parameters = parameters.Cut;
+    Monitor monitor;
+    const MeshSegmentation known = SegmentCells(problem, {}, {}, parameters, {}, monitor);
+    const Segmentation cut = Solve(problem);
+    EXPECT_EQ(known.Inside, cut.Inside) << seed;
+    int energies = 0;
+    for (const auto& [name, value] : known.Statistics)
+    {
+      const bool isEnergy = name.rfind("Energy", 0) == 0;
+      EXPECT_EQ(value, isEnergy ? cut.Energy : 0) << seed << ' ' << name;
+      energies += isEnergy;
+    }
+    EXPECT_EQ(energies, 3);
+  }
 }
 
 TEST(GraphCutSegmentation, HasFewestInsideCellsAmongTies)
@@ -415,7 +450,7 @@ TEST(CutEnergy, NeighborsAreInTheOrderOfFacesOnAnyNumberOfThreads)
   for (const int threads : { 1, 2, 8 })
   {
     omp_set_num_threads(threads);
-    const CutEnergy energy(problem, problem.Parameters);
+    const CutEnergy energy{ RealEnergy(problem, problem.Parameters) };
     std::size_t count = 0;
     for (Id cell = 0; cell < energy.NumberOfCells(); ++cell)
     {

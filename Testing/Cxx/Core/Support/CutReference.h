@@ -2,14 +2,14 @@
 #pragma once
 
 #include "Common/TetrahedralMesh.h"
-#include "GraphCut/CutEnergy.h"
+#include "GraphCut/RealEnergy.h"
 
 /** What the cut and its constraints promise, found by other means. */
 namespace testcut
 {
 using namespace insideout;
 
-/** v_ij for different labels, per face, as CutEnergy.h has it. */
+/** v_ij for different labels, per face, as RealEnergy.h has it. */
 std::vector<double> Smoothness(const CellGraph& graph, const GraphCutParameters& parameters);
 
 /** E of a labelling, term by term. */
