@@ -18,6 +18,7 @@ import insideout
 import numpy as np
 import surfaces
 from insideout.data import as_type
+from insideout.measures import triangles_at_edges
 from insideout.plotting import Picture
 from insideout.statistics import OTHER
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstructuredGrid
@@ -73,6 +74,18 @@ class Measures(unittest.TestCase):
         self.assertTrue(solid.is_watertight)
         (part,) = solid.split()
         self.assertEqual(part.cells.shape, solid.cells.shape)
+
+    def test_triangles_are_counted_at_edges(self):
+        random = np.random.default_rng(0)
+        for count, points in ((0, 1), (1, 1), (1, 3), (9, 3), (60, 8), (60, 2**31)):
+            triangles = random.integers(0, points, (count, 3))
+            found: dict[tuple[int, int], list[int]] = {}
+            for start, end in (edge for a, b, c in triangles.tolist() for edge in ((a, b), (b, c), (c, a))):
+                if start != end:
+                    found.setdefault((min(start, end), max(start, end)), []).append(1 if start < end else -1)
+            balance, there = triangles_at_edges(triangles)
+            at_edges = [found[edge] for edge in sorted(found)]
+            self.assertEqual((balance.tolist(), there.tolist()), ([sum(at) for at in at_edges], [len(at) for at in at_edges]))
 
     def test_every_result_measures(self):
         surface = surfaces.two_boxes()

@@ -41,25 +41,23 @@ def joined_where_equal(points: Points, cells: Ids) -> Ids:
 
 def is_closed(triangles: Ids) -> bool:
     """Whether there are edges, and each has as many triangles in one direction as in the other."""
-    edge, forward = _edges(triangles)
-    balance = np.bincount(edge, np.where(forward, 1, -1))
+    balance, _ = triangles_at_edges(triangles)
     return len(balance) > 0 and not balance.any()
 
 
-def count_crowded_edges(triangles: Ids) -> int:
-    """The number of edges with more than two triangles."""
-    return int((np.bincount(_edges(triangles)[0]) > 2).sum())
-
-
-def _edges(triangles: Ids) -> tuple[Ids, NDArray[np.bool_]]:
-    """The number of each edge of each triangle, and whether it starts at the lower point; without edges of one
-    point."""
+def triangles_at_edges(triangles: Ids) -> tuple[Ids, Ids]:
+    """By how many more triangles each edge starts at its lower point than at its higher one, and how many have it; without
+    edges of one point."""
     start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
     differ = start != end
-    start, end = start[differ], end[differ]
-    low, high = np.minimum(start, end), np.maximum(start, end)
-    _, edge = np.unique(low * (triangles.max(initial=0) + 1) + high, return_inverse=True)  # faster than sorting rows
-    return edge.ravel(), start < end
+    start, end = start[differ].astype(np.uint64), end[differ].astype(np.uint64)
+    count = np.uint64(triangles.max(initial=0) + 1)
+    keys = (np.minimum(start, end) * count + np.maximum(start, end)) * np.uint64(2) + (start < end)
+    keys.sort()  # faster than sorting rows, or their order
+    first = np.flatnonzero(np.diff(keys >> np.uint64(1), prepend=~np.uint64(0)))
+    there = np.diff(first, append=len(keys))
+    forward = np.add.reduceat((keys & np.uint64(1)).astype(np.int64), first) if len(first) else there
+    return 2 * forward - there, there
 
 
 def labels_of_parts(cells: Ids) -> Ids:
