@@ -73,9 +73,8 @@
  * BoundaryTunnels.
  *
  * Refine replaces the solid's cells and arrays, see vtkRefineTetrahedra; InsideCells counts the
- * cells before. If a body is open, its w is evaluated in the new tetrahedra; new triangles of a
- * plane keep the w of the old ones. Unless SurfaceTreatment is KEPT output 1 is their boundary,
- * with interpolated point data.
+ * cells before. If a body is open, its w is evaluated in the new cells. Unless SurfaceTreatment is
+ * KEPT output 1 is their boundary, with interpolated point data.
  *
  * If no cell is inside, a warning gives the range of w, the likely cause and the option to set.
  * Errors, which name the culprit, leave all outputs empty.

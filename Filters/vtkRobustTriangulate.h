@@ -24,7 +24,8 @@
  *
  * Statistics are those of vtkRobustTetrahedralize, with Area instead of Volume. Refine adds
  * AddedPoints, SurfacePoints, RefinedCells, MinAngle, Angle1Percent and MaxAngle, and the same
- * angles before refinement, by names that begin with Before.
+ * angles before refinement, by names that begin with Before. If a curve is open, w is evaluated in
+ * the new triangles.
  *
  * GetSegmentation() returns the stage with the options of the cut, GetRefinement() that of the
  * refinement; a change of a stage modifies this filter. The filter keeps the hull of its input:

@@ -11,6 +11,7 @@
 #include "Common/Stages.h"
 #include "Planar/PlanarOutputs.h"
 #include "Planar/SegmentTriangles.h"
+#include "Planar/WindingNumberOfTriangles.h"
 #include "Refine/RefineTriangles.h"
 
 #include <vtkCellArray.h>
@@ -419,15 +420,16 @@ Attributes::Mixture MixtureOf(
   return mixture;
 }
 
-/** The refined inside cells with their properties. */
-RefinedHull HullOf(
-  const insideout::RefinedTriangles& refined, const PlanarHull& hull, vtkUnstructuredGrid* grid)
+/** The refined inside cells with their properties.
+ * @param[in] w one value per refined cell */
+RefinedHull HullOf(const insideout::RefinedTriangles& refined, const PlanarHull& hull,
+  std::vector<double> w, vtkUnstructuredGrid* grid)
 {
   RefinedHull result;
   result.Hull.Plane = hull.Plane;
   result.Hull.Curve = refined.Curve;
   result.Hull.Mesh = refined.Mesh;
-  result.Hull.W = ChosenOf(hull.W, refined.OriginalCells);
+  result.Hull.W = std::move(w);
   result.Hull.TurnedSegments = hull.TurnedSegments;
   result.Before = grid;
   for (std::size_t p = 0; p < refined.OriginalPoints.size(); ++p)
@@ -468,16 +470,31 @@ KeptPlanarHull::KeptPlanarHull(vtkPolyData* input,
 
 namespace
 {
-/** The inside cells in better triangles, and their boundary. */
-void RefineTo(const Curve& curve, const PlanarHull& hull, const std::vector<unsigned char>& inside,
-  const insideout::SolidRegions& regions, const insideout::RefinementParameters& parameters,
-  insideout::Monitor& monitor, Triangles& made, insideout::Statistics& statistics)
+/** w of an open curve varies within the hull's cells; a closed one's is theirs. */
+std::vector<double> WOfRefined(
+  const PlanarHull& hull, const insideout::RefinedTriangles& refined, insideout::Monitor& monitor)
+{
+  if (NumberOfOpenEnds(hull.Curve) == 0)
+  {
+    return ChosenOf(hull.W, refined.OriginalCells);
+  }
+  return WindingNumberOfOtherTriangles(hull.Curve, refined.Curve.Points, refined.Mesh.Cells,
+    hull.Plane.Metric, monitor, { insideout::Stages::Refining, 1, 1 });
+}
+
+/** The inside cells in better triangles, and their boundary.
+ * @param[in] hull the kept one, or with split points */
+void RefineTo(const KeptPlanarHull& kept, const PlanarHull& hull,
+  const std::vector<unsigned char>& inside, const insideout::SolidRegions& regions,
+  const insideout::RefinementParameters& parameters, insideout::Monitor& monitor, Triangles& made,
+  insideout::Statistics& statistics)
 {
   insideout::Stopwatch stopwatch;
   const insideout::RefinedTriangles refined =
     RefineTriangles(hull.Curve, hull.Mesh, inside, hull.Plane, parameters, monitor);
-  const RefinedHull better = HullOf(refined, hull, made.Grid);
-  Maker maker(curve, better);
+  const RefinedHull better =
+    HullOf(refined, hull, WOfRefined(kept.Hull, refined, monitor), made.Grid);
+  Maker maker(kept.Curve, better);
   const std::vector<unsigned char> all(refined.Mesh.Cells.size(), 1);
   made.Grid = MakeLabelledGrid(
     maker, all, { ChosenOf(regions.OfCell, refined.OriginalCells), regions.Count });
@@ -541,7 +558,7 @@ Triangles MakeTriangles(const KeptPlanarHull& kept, const std::vector<insideout:
   if (options.Refine && regions.Count > 0)
   {
     RefineTo(
-      curve, hull, segmentation.Inside, regions, options.Refinement, monitor, made, statistics);
+      kept, hull, segmentation.Inside, regions, options.Refinement, monitor, made, statistics);
   }
   else
   {

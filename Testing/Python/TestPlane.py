@@ -107,6 +107,18 @@ class Function(unittest.TestCase):
         with self.assertRaisesRegex(insideout.Error, "vtkTriangle; only tetrahedra"):
             insideout.refine(result.solid)
 
+    def test_w_of_refined_triangles_of_open_lines_is_that_at_their_own_barycenters(self):
+        curve = surfaces.polydata([*SQUARE, (0, 0.2, 0), (0.5, 0.5, 0), (1.2, 0.9, 0)], [])
+        curve.SetLines(surfaces.polydata([], [(0, 1, 2, 3, 4), (5, 6)]).GetPolys())
+        for treatment in ("kept", "split"):
+            for topology in ("keep", "split"):
+                with self.subTest(treatment, topology=topology):
+                    options = {"surface_treatment": treatment, "non_manifold": topology, "edge_length": 0.3}
+                    solid = insideout.tetrahedralize(curve, refine=True, **options).solid
+                    places = solid.points[solid.cells].mean(axis=1)
+                    self.assertGreater(len(places), 50)
+                    np.testing.assert_allclose(solid.w, insideout.winding_number(curve, places), rtol=0, atol=1e-13)
+
     def test_duplicates_that_do_not_cancel_count(self):
         ring = (0, 1, 2, 3, 0)
         for forth, back, w in ((3, 1, 2), (4, 1, 3), (2, 2, 1)):

@@ -50,8 +50,23 @@ std::vector<double> Walk(const SegmentComplex& curve, const PlanarMesh& mesh, Mo
   return w;
 }
 
-std::vector<double> Evaluate(
+} // namespace
+
+std::vector<double> WindingNumberOfTriangles(
   const SegmentComplex& curve, const PlanarMesh& mesh, const PlanarMetric& metric, Monitor& monitor)
+{
+  const bool canWalk =
+    NumberOfOpenEnds(curve) == 0 && curve.NumberOfConstraints == curve.NumberOfSegments();
+  std::vector<double> w = canWalk ? Walk(curve, mesh, monitor)
+                                  : WindingNumberOfOtherTriangles(curve, curve.Points, mesh.Cells,
+                                      metric, monitor, { Stages::WindingNumbers, 0, 1 });
+  monitor.Check(Stages::WindingNumbers, 1);
+  return w;
+}
+
+std::vector<double> WindingNumberOfOtherTriangles(const SegmentComplex& curve,
+  const std::vector<PlanarPoint>& points, const std::vector<Triangle>& cells,
+  const PlanarMetric& metric, Monitor& monitor, const ProgressRange& progress)
 {
   std::vector<CountedSegment> segments;
   segments.reserve(curve.Segments.size());
@@ -60,36 +75,24 @@ std::vector<double> Evaluate(
     segments.push_back({ curve.Segments[s][0], curve.Segments[s][1], curve.Multiplicity[s] });
   }
   const PolylineWindingNumber number(curve.Points, segments, metric);
-  std::vector<double> w(mesh.Cells.size());
+  std::vector<double> w(cells.size());
   // Consecutive neighbors access data still in the cache.
   std::vector<Point> places;
-  places.reserve(mesh.Cells.size());
-  for (const Triangle& cell : mesh.Cells)
+  places.reserve(cells.size());
+  for (const Triangle& cell : cells)
   {
-    const PlanarPoint& corner = curve.Points[cell[0]];
+    const PlanarPoint& corner = points[cell[0]];
     places.push_back({ { corner[0], corner[1], 0 } });
   }
   const std::vector<Id> order = SpatialOrder(places);
   const double nanosecondsPerCell = 10000;
-  ChunkedLoop(mesh.NumberOfCells(), nanosecondsPerCell, monitor, { Stages::WindingNumbers, 0, 1 },
+  ChunkedLoop(static_cast<Id>(cells.size()), nanosecondsPerCell, monitor, progress,
     [&](Id i)
     {
       const Id cell = order[i];
-      const auto& [a, b, c] = mesh.Cells[cell];
-      w[cell] = number.AtMean(curve.Points[a], curve.Points[b], curve.Points[c]);
+      const auto& [a, b, c] = cells[cell];
+      w[cell] = number.AtMean(points[a], points[b], points[c]);
     });
-  return w;
-}
-} // namespace
-
-std::vector<double> WindingNumberOfTriangles(
-  const SegmentComplex& curve, const PlanarMesh& mesh, const PlanarMetric& metric, Monitor& monitor)
-{
-  const bool canWalk =
-    NumberOfOpenEnds(curve) == 0 && curve.NumberOfConstraints == curve.NumberOfSegments();
-  std::vector<double> w =
-    canWalk ? Walk(curve, mesh, monitor) : Evaluate(curve, mesh, metric, monitor);
-  monitor.Check(Stages::WindingNumbers, 1);
   return w;
 }
 } // namespace insideout
