@@ -500,9 +500,12 @@ constexpr Id MostCellsOfTrial = 100000;
 std::string WordsOfTreatment(
   const Refinement& kept, const std::string& treatment, const Refinement& treated)
 {
-  return "a solver would refuse " + std::to_string(kept.Fitness.RefusedCells) + " of " +
+  const std::string flat = kept.Fitness.FlatCells > 0
+    ? ", or lose most digits at " + std::to_string(kept.Fitness.FlatCells) + ","
+    : "";
+  return "a solver would refuse " + std::to_string(kept.Fitness.RefusedCells) + flat + " of " +
     std::to_string(kept.Fitness.Cells) + " cells where the surface is kept" + treatment + " " +
-    std::to_string(treated.Fitness.RefusedCells) +
+    std::to_string(treated.Fitness.UnfitCells()) +
     " are left; set SurfaceTreatment to Kept to leave it";
 }
 
@@ -533,7 +536,7 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const RefinementParameters& given, bool quadratic, Monitor& monitor)
 {
   const Refinement kept = RefineAsGiven(grid, boundary, given, quadratic, monitor);
-  if (!given.TreatsNeedles || kept.Fitness.RefusedCells == 0)
+  if (!given.TreatsNeedles || kept.Fitness.UnfitCells() == 0)
   {
     return kept;
   }
@@ -542,7 +545,7 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   other.MendsSurface = true;
   Refinement mended = RefineAsGiven(grid, boundary, other, quadratic, monitor);
   const Id needles = static_cast<Id>(StatisticOf(mended.Statistics, "MendedNeedles"));
-  if (needles > 0 && mended.Fitness.RefusedCells < kept.Fitness.RefusedCells)
+  if (needles > 0 && mended.Fitness.UnfitCells() < kept.Fitness.UnfitCells())
   {
     std::ostringstream words;
     words << ": after " << needles
@@ -551,13 +554,13 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
     best = mended;
     best.Warnings.push_back(WordsOfTreatment(kept, words.str(), best));
   }
-  if (best.Fitness.RefusedCells > 0 && kept.Fitness.Cells <= MostCellsOfTrial &&
+  if (best.Fitness.UnfitCells() > 0 && kept.Fitness.Cells <= MostCellsOfTrial &&
     !HasSeveralNames(grid, boundary))
   {
     other.MendsSurface = false;
     other.Surface = SurfaceTreatment::Remeshed; // split needles are needles still
     Refinement remeshed = RefineAsGiven(grid, boundary, other, quadratic, monitor);
-    if (remeshed.Fitness.RefusedCells < best.Fitness.RefusedCells)
+    if (remeshed.Fitness.UnfitCells() < best.Fitness.UnfitCells())
     {
       best = remeshed;
       std::ostringstream words;

@@ -25,10 +25,14 @@ constexpr double NanosecondsPerCell = 100;
 constexpr double PoorAngle = 1;
 constexpr double SineOfPoorAngle = 0.017452406437283512;
 
+/** In degrees. */
+constexpr double FlatAngle = FlatSine / SineOfPoorAngle;
+
 enum class Fitness : std::uint8_t
 {
   Good,
   Poor,
+  Flat,
   Refused,
   TooSmall
 };
@@ -134,11 +138,11 @@ double LongestEdge(const std::array<Point, Corners>& corners)
 }
 
 /** Whether a solver accepts a cell with this least Jacobian. */
-Fitness FitnessOfJacobian(double jacobian, double cubeOfLongest)
+Fitness FitnessOfJacobian(double jacobian, bool isFlat)
 {
-  return jacobian >= SmallestJacobian             ? Fitness::Good
-    : jacobian > SmallestJacobian * cubeOfLongest ? Fitness::TooSmall
-                                                  : Fitness::Refused;
+  return jacobian >= SmallestJacobian ? Fitness::Good
+    : jacobian > 0 && !isFlat         ? Fitness::TooSmall
+                                      : Fitness::Refused;
 }
 
 /** The fitness of a cell of layers. */
@@ -151,8 +155,9 @@ Fitness FitnessOf(const std::vector<Point>& points, const Cell& cell)
   std::transform(ids.begin(), ids.end(), nodes.begin(), [&points](Id p) { return points[p]; });
   const double below = Jacobian(nodes, shapes[0]);
   const double above = Jacobian(nodes, shapes[1]);
+  const double least = below <= above ? below : above;
   const double longest = LongestEdge(nodes);
-  return FitnessOfJacobian(below <= above ? below : above, longest * longest * longest);
+  return FitnessOfJacobian(least, least < FlatSine * longest * longest * longest);
 }
 
 Fitness FitnessOf(
@@ -161,17 +166,19 @@ Fitness FitnessOf(
   const double jacobian = LeastJacobian(corners, points, midpoints);
   const double longest = LongestEdge(corners);
   const double cube = longest * longest * longest;
-  if (!(jacobian >= SmallestJacobian))
-  {
-    return FitnessOfJacobian(jacobian, cube);
-  }
+  const bool isRefused = !(jacobian >= SmallestJacobian);
   // The sine of each dihedral angle is at least six volumes over the longest edge cubed.
   const double volume = midpoints ? Jacobian(corners, LinearDerivatives) : jacobian;
-  if (volume >= 2 * SineOfPoorAngle * cube)
+  if (!isRefused && volume >= 2 * SineOfPoorAngle * cube)
   {
     return Fitness::Good;
   }
-  return QualityOfCell(corners).MinDihedralAngle() < PoorAngle ? Fitness::Poor : Fitness::Good;
+  const double angle = QualityOfCell(corners).MinDihedralAngle();
+  if (isRefused)
+  {
+    return FitnessOfJacobian(jacobian, angle < FlatAngle);
+  }
+  return angle < FlatAngle ? Fitness::Flat : angle < PoorAngle ? Fitness::Poor : Fitness::Good;
 }
 
 /** Whether a triangle is so thin that any cell on it is poor. */
@@ -312,7 +319,8 @@ SolverFitness FitnessForSolver(const std::vector<Point>& points,
   fitness.Cells = static_cast<Id>(found.size());
   fitness.TooSmallCells = count(Fitness::TooSmall);
   fitness.RefusedCells = count(Fitness::Refused) + fitness.TooSmallCells;
-  fitness.PoorCells = count(Fitness::Poor);
+  fitness.FlatCells = count(Fitness::Flat);
+  fitness.PoorCells = count(Fitness::Poor) + fitness.FlatCells;
   if (!fitness.IsGood())
   {
     const NeedleFinder needles(points, cells, regions);
@@ -321,7 +329,8 @@ SolverFitness FitnessForSolver(const std::vector<Point>& points,
       if (found[c] != Fitness::Good && needles.HasNeedle(static_cast<Id>(c)))
       {
         fitness.CellsOnNeedles += found[c] != Fitness::TooSmall ? 1 : 0;
-        fitness.RefusedOnNeedles += found[c] != Fitness::Poor ? 1 : 0;
+        fitness.RefusedOnNeedles +=
+          found[c] == Fitness::Refused || found[c] == Fitness::TooSmall ? 1 : 0;
       }
     }
   }
@@ -344,6 +353,9 @@ std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done, boo
       ? ", and suffers from " + std::to_string(fitness.PoorCells) + " more" + poor
       : "";
   }
+  words += fitness.FlatCells > 0
+    ? ", and loses most digits at " + std::to_string(fitness.FlatCells) + " nearly flat ones"
+    : "";
   return words + ": " + AdviceFor(fitness, done, mayRemesh);
 }
 

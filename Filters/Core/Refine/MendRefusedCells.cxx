@@ -23,9 +23,8 @@ namespace
 /** Limit of passes: one step may make room for another. */
 constexpr int MostPasses = 10;
 
-/** Square of the least sine of a cell that is not flat: volumes of flatter cells have few digits.
- */
-constexpr double FlatShape = 1e-20;
+/** ShapeOf the thickest cell that is flat for a solver. */
+constexpr double FlatShape = FlatSine * FlatSine;
 
 /** Degrees. Moves may make angles as small as this, and smaller ones half as good. */
 constexpr double PoorAngle = 1;
@@ -49,7 +48,7 @@ bool IsPositive(const std::array<Point, 4>& corners)
   return Orient3D(corners[0], corners[1], corners[2], corners[3]) > 0;
 }
 
-bool IsMended(const std::array<Point, 4>& corners)
+bool IsFit(const std::array<Point, 4>& corners)
 {
   return ShapeOf(corners) >= FlatShape && IsPositive(corners) && !IsRefused(corners);
 }
@@ -69,27 +68,32 @@ public:
   bool Pass()
   {
     const std::int64_t before = this->Mesh.NumberOfChanges();
-    for (const Id cell : this->RefusedCells())
+    const std::vector<Id> given = this->UnfitCells();
+    if (given.empty())
+    {
+      return false;
+    }
+    for (const Id cell : given)
     {
       this->MendInside(cell);
     }
     if (this->MayChangeSurface)
     {
-      for (const Id cell : this->RefusedCells())
+      for (const Id cell : this->UnfitCells())
       {
         this->Changes += this->ContractEdges(cell);
-        this->Changes += this->IsRefusedCell(cell) && this->RemoveSpike(cell) ? 1 : 0;
+        this->Changes += this->IsUnfit(cell) && this->RemoveSpike(cell) ? 1 : 0;
       }
     }
-    const std::vector<Id> cells = this->RefusedCells();
+    const std::vector<Id> cells = this->UnfitCells();
     this->FindCellsAtCorners(cells);
     for (const Id cell : cells)
     {
-      for (int axis = 0; axis < 3 && this->MayChangeSurface && this->IsRefusedCell(cell); ++axis)
+      for (int axis = 0; axis < 3 && this->MayChangeSurface && this->IsUnfit(cell); ++axis)
       {
         this->Stretch(cell, axis);
       }
-      for (int k = 0; k < 4 && this->IsRefusedCell(cell); ++k)
+      for (int k = 0; k < 4 && this->IsUnfit(cell); ++k)
       {
         this->MoveCorner(cell, k);
       }
@@ -100,18 +104,18 @@ public:
   Id ChangesOfSurface() const { return this->Changes; }
 
 private:
-  bool IsRefusedCell(Id cell) const
+  bool IsUnfit(Id cell) const
   {
     return !this->Mesh.IsDead(cell) &&
-      IsRefused(CornersOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners));
+      !IsFit(CornersOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners));
   }
 
-  std::vector<Id> RefusedCells() const
+  std::vector<Id> UnfitCells() const
   {
     std::vector<Id> cells;
     for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
     {
-      if (this->IsRefusedCell(cell))
+      if (this->IsUnfit(cell))
       {
         cells.push_back(cell);
       }
@@ -121,17 +125,17 @@ private:
 
   void MendInside(Id cell)
   {
-    for (int k = 0; k < 4 && this->IsRefusedCell(cell); ++k)
+    for (int k = 0; k < 4 && this->IsUnfit(cell); ++k)
     {
       this->Contract(this->Mesh.Cell(cell).Corners[k]);
     }
-    if (this->IsRefusedCell(cell))
+    if (this->IsUnfit(cell))
     {
       this->Reconnect.ImproveCell(cell);
     }
   }
 
-  /** The number of refused cells and the worst shape if the star's point is contracted. */
+  /** The number of unfit cells and the worst shape if the star's point is contracted. */
   std::pair<Id, double> Contracted(Id target) const
   {
     std::pair<Id, double> result = { 0, 1 };
@@ -141,14 +145,14 @@ private:
       {
         const std::array<Point, 4> corners =
           CornersOf(this->Mesh.Points, Tetrahedron{ { wall[0], wall[1], wall[2], target } });
-        result.first += IsRefused(corners) ? 1 : 0;
+        result.first += IsFit(corners) ? 0 : 1;
         result.second = std::min(result.second, ShapeOf(corners));
       }
     }
     return result;
   }
 
-  /** Contract an inner point into the neighbor with which the fewest cells are refused, and of
+  /** Contract an inner point into the neighbor with which the fewest cells are unfit, and of
    * these the one with the best shapes; if they are fewer than before. */
   void Contract(Id point)
   {
@@ -165,15 +169,15 @@ private:
     SortUniquely(targets);
     const double least = std::min(std::max(WorstShapeOf(this->Mesh, this->Cells), 0.0), FlatShape);
     std::pair<Id, double> best = { std::count_if(this->Cells.begin(), this->Cells.end(),
-                                     [this](Id cell) { return this->IsRefusedCell(cell); }),
+                                     [this](Id cell) { return this->IsUnfit(cell); }),
       1 };
     Id chosen = None;
     for (const Id target : targets)
     {
-      const auto [refused, worst] = this->Contracted(target);
-      if (worst > least && (refused < best.first || (refused == best.first && worst > best.second)))
+      const auto [unfit, worst] = this->Contracted(target);
+      if (worst > least && (unfit < best.first || (unfit == best.first && worst > best.second)))
       {
-        best = { refused, worst };
+        best = { unfit, worst };
         chosen = target;
       }
     }
@@ -199,7 +203,7 @@ private:
     Id count = 0;
     for (const auto& [i, j] : TetrahedronEdges)
     {
-      if (!this->IsRefusedCell(cell))
+      if (!this->IsUnfit(cell))
       {
         break;
       }
@@ -302,7 +306,7 @@ private:
     std::sort(this->AtCorners.begin(), this->AtCorners.end());
   }
 
-  /** Move a corner away from the opposite face, as little as makes the solver accept the cell. */
+  /** Move a corner away from the opposite face, as little as makes the cell fit. */
   void MoveCorner(Id cell, int k)
   {
     const Id corner = this->Mesh.Cell(cell).Corners[k];
@@ -348,7 +352,7 @@ private:
     for (const Id cell : this->Cells)
     {
       const std::array<Point, 4> moved = this->PlacesOf(cell, placeOf);
-      if (cell == mended ? !IsMended(moved) : !this->StaysFit(cell, moved))
+      if (cell == mended ? !IsFit(moved) : !this->StaysFit(cell, moved))
       {
         return false;
       }
@@ -361,7 +365,7 @@ private:
   {
     const std::array<Point, 4> now = CornersOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners);
     return ShapeOf(moved) >= std::min(ShapeOf(now), ShapeOfAngle(PoorAngle)) / 2 &&
-      IsPositive(moved) && (!IsRefused(moved) || IsRefused(now));
+      IsPositive(moved) && (IsFit(moved) || !IsFit(now));
   }
 
   /**
@@ -423,7 +427,7 @@ private:
       std::copy_if(this->Cells.begin(), this->Cells.end(), std::back_inserter(unfit),
         [&](Id cell) { return !this->StaysFit(cell, this->PlacesOf(cell, placeOf)); });
     }
-    if (IsRefused(this->PlacesOf(mended, placeOf)) || !this->MovesSurface(this->Cells, placeOf))
+    if (!IsFit(this->PlacesOf(mended, placeOf)) || !this->MovesSurface(this->Cells, placeOf))
     {
       return false;
     }

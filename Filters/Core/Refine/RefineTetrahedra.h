@@ -20,7 +20,8 @@ struct RefinementParameters
   bool CouldBeTreated = true;
 
   /**
-   * Kept: whether the caller chooses another treatment where cells are left that a solver refuses.
+   * Kept: whether the caller chooses another treatment where cells are left that are unfit for a
+   * solver.
    */
   bool TreatsNeedles = false;
 

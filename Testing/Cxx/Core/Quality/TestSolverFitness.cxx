@@ -116,6 +116,33 @@ TEST(SolverFitness, TellsRefusedFromPoorAndGoodByTheHeight)
   EXPECT_EQ(counts(1.5 * 0.25 * tangent), (std::array<Id, 2>{ 0, 0 }));
 }
 
+TEST(SolverFitness, CountsNearlyFlatCellsInAnyUnit)
+{
+  const auto fitnessOf = [](double height, double unit)
+  {
+    std::vector<Point> points = CellOfHeight(height);
+    for (Point& p : points)
+    {
+      p = { { unit * p[0], unit * p[1], unit * p[2] } };
+    }
+    return FitnessOf(points, OneCell);
+  };
+  for (const double unit : { 1e3, 1.0, 1e-2 })
+  {
+    const SolverFitness flat = fitnessOf(1e-13, unit);
+    EXPECT_EQ(flat.FlatCells, 1);
+    EXPECT_EQ(flat.PoorCells, 1);
+    EXPECT_EQ(flat.UnfitCells(), 1);
+    EXPECT_NE(
+      WordsOfFitness(flat, CellTreatment::None).find("most digits at 1 "), std::string::npos);
+    EXPECT_EQ(fitnessOf(1e-9, unit).FlatCells, 0);
+  }
+  const SolverFitness refused = fitnessOf(1e-13, 1e-7);
+  EXPECT_EQ(refused.RefusedCells, 1);
+  EXPECT_EQ(refused.TooSmallCells, 0) << "it would be as flat in another unit";
+  EXPECT_EQ(refused.UnfitCells(), 1);
+}
+
 TEST(SolverFitness, TakesTheUnitIntoAccount)
 {
   std::vector<Point> points = CellOfHeight(0.5);

@@ -47,12 +47,12 @@ Id At(const TetrahedralMesh& mesh, const Point& place)
 }
 
 /** The block, and a flat cell beside it. */
-TetrahedralMesh BlockAndFlatCell()
+TetrahedralMesh BlockAndFlatCell(double height = Low)
 {
   TetrahedralMesh block = Block();
   const auto first = static_cast<Id>(block.Points.size());
   block.Points.insert(block.Points.end(),
-    { { { 300, 0, 0 } }, { { 400, 0, 0 } }, { { 300, 100, 0 } }, { { 320, 20, Low } } });
+    { { { 300, 0, 0 } }, { { 400, 0, 0 } }, { { 300, 100, 0 } }, { { 320, 20, height } } });
   block.Cells.push_back({ { first, first + 1, first + 2, first + 3 } });
   return ConnectCells(block.Points, block.Cells);
 }
@@ -166,6 +166,24 @@ TEST(MendRefusedCells, CornersOfAFlatPartMoveAsLittleAsSuffices)
   EXPECT_EQ(CountRefused(Refined(block, false)), 1);
   const RefinedMesh mended = Refined(block, true);
   EXPECT_EQ(CountRefused(mended), 0);
+  ExpectRemeshingLaws(block, {}, mended, 1e-6);
+}
+
+TEST(MendRefusedCells, CellsGetThickerThatASolverAcceptsButWithoutDigits)
+{
+  const TetrahedralMesh block = BlockAndFlatCell(1e-12);
+  const RefinedMesh kept = Refined(block, false);
+  EXPECT_EQ(CountRefused(kept), 0);
+  Monitor monitor;
+  const auto flat = [&monitor](const RefinedMesh& mesh)
+  {
+    return FitnessForSolver(
+      mesh.Points, mesh.Cells, {}, {}, {}, monitor, { Stages::Refining, 0, 1 })
+      .FlatCells;
+  };
+  EXPECT_EQ(flat(kept), 1);
+  const RefinedMesh mended = Refined(block, true);
+  EXPECT_EQ(flat(mended), 0);
   ExpectRemeshingLaws(block, {}, mended, 1e-6);
 }
 
