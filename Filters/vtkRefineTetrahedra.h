@@ -135,11 +135,12 @@ public:
    * by tag and volumes by region stay within a millionth. If such cells are left, it takes
    * REMESHED, unless areas and volumes have names (two tags beside that of holes; named or touching
    * regions) or there are more than 100,000 cells. It does each if fewer such cells are left, with
-   * a warning. SPLIT keeps all points; the pieces lie in the triangles' planes, within rounding,
-   * where coplanar triangles with the same cell data join. REMESHED keeps edges above FeatureAngle,
-   * but joins corners of theirs that are closer than the requested length and need not stay for
-   * SurfaceTolerance. Triangles that close holes and are within it of others join these. Triangles
-   * stay whose replacement would touch another part of the boundary.
+   * a warning. Cells that a smaller unit mends do not count if some are left anyway. SPLIT keeps
+   * all points; the pieces lie in the triangles' planes, within rounding, where coplanar triangles
+   * with the same cell data join. REMESHED keeps edges above FeatureAngle, but joins corners of
+   * theirs that are closer than the requested length and need not stay for SurfaceTolerance.
+   * Triangles that close holes and are within it of others join these. Triangles stay whose
+   * replacement would touch another part of the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);

@@ -496,6 +496,15 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
  */
 constexpr Id MostCellsOfTrial = 100000;
 
+/** Whether a solver handles cells better than others. If some of them are merely too small, which
+ * only another unit mends, it mends those of the others, too: these do not count. */
+bool IsFitter(const SolverFitness& cells, const SolverFitness& others)
+{
+  const auto count = [&cells](const SolverFitness& fitness)
+  { return fitness.UnfitCells() - (cells.TooSmallCells > 0 ? fitness.TooSmallCells : 0); };
+  return count(cells) < count(others);
+}
+
 /** A message that another treatment was chosen than to keep the surface, and why. */
 std::string WordsOfTreatment(
   const Refinement& kept, const std::string& treatment, const Refinement& treated)
@@ -545,7 +554,7 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   other.MendsSurface = true;
   Refinement mended = RefineAsGiven(grid, boundary, other, quadratic, monitor);
   const Id needles = static_cast<Id>(StatisticOf(mended.Statistics, "MendedNeedles"));
-  if (needles > 0 && mended.Fitness.UnfitCells() < kept.Fitness.UnfitCells())
+  if (needles > 0 && IsFitter(mended.Fitness, kept.Fitness))
   {
     std::ostringstream words;
     words << ": after " << needles
@@ -560,7 +569,7 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
     other.MendsSurface = false;
     other.Surface = SurfaceTreatment::Remeshed; // split needles are needles still
     Refinement remeshed = RefineAsGiven(grid, boundary, other, quadratic, monitor);
-    if (remeshed.Fitness.UnfitCells() < best.Fitness.UnfitCells())
+    if (IsFitter(remeshed.Fitness, best.Fitness))
     {
       best = remeshed;
       std::ostringstream words;

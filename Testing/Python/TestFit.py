@@ -298,6 +298,12 @@ class Unfit(CommandLine):
         self.assertEqual(made.statistics["RefusedCells"], 0)
         self.assertNotIn("SurfaceTolerance", made.statistics)
 
+    def test_a_surface_is_kept_if_remeshing_leaves_cells_too_small_in_this_unit(self):
+        made = insideout.tetrahedralize(surfaces.ball(1, 80, 40), refine=True, scale=3e-6)
+        self.assertNotIn("SurfaceTolerance", made.statistics)
+        (warning,) = insideout.check_solid(made.solid).warnings
+        self.assertRegex(warning, r"refuses (\d+) of .*: they would pass in a smaller unit")
+
     def test_a_surface_whose_wide_needle_a_solver_would_refuse_is_remeshed_and_told(self):
         made = insideout.tetrahedralize(self.needle(1e-4), refine=True, scale=3e-6)
         self.assertEqual(made.statistics["RefusedCells"], 0)
