@@ -184,6 +184,19 @@ class Defects(unittest.TestCase):
                 self.assertIn(words, found.verdict)
         self.assertEqual(insideout.check_solid(solid_of(*TWO)).statistics["Conforms"], 1)
 
+    def test_parts_that_a_solver_lets_turn_are_told(self):
+        points = [*CORNERS, (0, -1, -1), (5, 5, 5), (6, 5, 5), (5, 6, 5), (5, 5, 6)]
+        for cells, told in (
+            (TWO, []),
+            (([0, 1, 2, 3], [6, 7, 8, 9]), []),
+            (([0, 1, 2, 3], [0, 4, 1, 5]), ["1 part held by points or edges alone"]),
+            (([0, 1, 2, 3], [0, 4, 1, 5], [3, 7, 8, 9]), ["2 parts held by points or edges alone"]),
+        ):
+            with self.subTest(cells=cells):
+                found = insideout.check_solid(solid_of(*cells, points=points))
+                self.assertEqual(found.statistics["Conforms"], 1)
+                self.assertEqual([finding.text for finding in found.findings if "held" in finding.text], told)
+
     def test_infinite_ratios_are_told(self):
         found = insideout.check_solid(solid_of([0, 1, 2, 3], [0, 1, 2, 5], points=[*CORNERS, (1, 1, 0)]))
         self.assertEqual(found.statistics["MaxRadiusEdgeRatio"], math.inf)

@@ -37,6 +37,10 @@ SOLID_DEFECTS = (
         True,
     ),
     Defect(
+        *("HingedParts", "part held by points or edges alone", "parts held by points or edges alone"),
+        "mechanics lets each turn there: hold it, or fill where the solid touches itself",
+    ),
+    Defect(
         *("PoorCells", "cell that a solver suffers from", "cells that a solver suffers from"),
         "they have dihedral angles under 1 degree: it takes longer, and loses digits",
     ),
@@ -108,10 +112,15 @@ def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> Soli
         solid=as_type(LayeredCells if has_layers(grid) else Tetrahedra, measure.GetOutput()),
         statistics=statistics,
         histogram=vtk_to_numpy(measure.GetOutput().GetFieldData().GetArray("DihedralAngleHistogram")).tolist(),
-        findings=find_among(SOLID_DEFECTS, statistics),
+        findings=find_among(SOLID_DEFECTS, {**statistics, "HingedParts": hinged_parts(statistics)}),
         verdict=solid_verdict(statistics),
         warnings=warnings,
     )
+
+
+def hinged_parts(statistics: Mapping[str, float]) -> int:
+    """The parts connected through faces, less those through points; 0 of a non-conforming solid."""
+    return int(statistics["Regions"] - statistics.get("SolidComponents", statistics["Regions"]))
 
 
 def solid_verdict(statistics: Mapping[str, float]) -> str:
