@@ -128,19 +128,19 @@ public:
    * SPLIT: they are divided, so that long and thin ones do not make thin cells. REMESHED: they are
    * replaced, within SurfaceTolerance, by triangles of the requested edge length. AUTOMATIC:
    * REMESHED if EdgeLength, SizeRules or SizingArrayName is given, else KEPT. Default AUTOMATIC. A
-   * surface kept so may leave cells that a solver refuses, or at which it loses most digits: the
-   * sine of a dihedral angle is below 1e-10. Then AUTOMATIC removes needles and spikes, and moves
-   * corners of flat cells. The surface moves by at most a millionth of the longest edge of its box;
-   * in small solids by 4e-7 in the unit of the coordinates, up to a thousandth of that edge. Areas
-   * by tag and volumes by region stay within a millionth. If such cells are left, it takes
-   * REMESHED, unless areas and volumes have names (two tags beside that of holes; named or touching
-   * regions) or there are more than 100,000 cells. It does each if fewer such cells are left, with
-   * a warning. Cells that a smaller unit mends do not count if some are left anyway. SPLIT keeps
-   * all points; the pieces lie in the triangles' planes, within rounding, where coplanar triangles
-   * with the same cell data join. REMESHED keeps edges above FeatureAngle, but joins corners of
-   * theirs that are closer than the requested length and need not stay for SurfaceTolerance.
-   * Triangles that close holes and are within it of others join these. Triangles stay whose
-   * replacement would touch another part of the boundary.
+   * surface kept so may leave cells that a solver refuses, or at which it loses half its digits:
+   * the sine of a dihedral angle is below 1e-8. Then AUTOMATIC removes needles and spikes, and
+   * moves corners of flat cells. The surface moves by at most a millionth of the longest edge of
+   * its box; in small solids by 4e-7 in the unit of the coordinates, up to a thousandth of that
+   * edge. Areas by tag and volumes by region stay within a millionth. If such cells are left, it
+   * takes REMESHED, unless areas and volumes have names (two tags beside that of holes; named or
+   * touching regions) or there are more than 100,000 cells. It does each if fewer such cells are
+   * left, with a warning. Cells that a smaller unit mends do not count if some are left anyway.
+   * SPLIT keeps all points; the pieces lie in the triangles' planes, within rounding, where
+   * coplanar triangles with the same cell data join. REMESHED keeps edges above FeatureAngle, but
+   * joins corners of theirs that are closer than the requested length and need not stay for
+   * SurfaceTolerance. Triangles that close holes and are within it of others join these. Triangles
+   * stay whose replacement would touch another part of the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);

@@ -510,7 +510,7 @@ std::string WordsOfTreatment(
   const Refinement& kept, const std::string& treatment, const Refinement& treated)
 {
   const std::string flat = kept.Fitness.FlatCells > 0
-    ? ", or lose most digits at " + std::to_string(kept.Fitness.FlatCells) + ","
+    ? ", or lose half its digits at " + std::to_string(kept.Fitness.FlatCells) + ","
     : "";
   return "a solver would refuse " + std::to_string(kept.Fitness.RefusedCells) + flat + " of " +
     std::to_string(kept.Fitness.Cells) + " cells where the surface is kept" + treatment + " " +

@@ -263,7 +263,7 @@ class Unfit(CommandLine):
         told = r"a solver would refuse 1 of \d+ cells where the surface is kept: after 1 changes to its needles and flat cells, which move it by at most 2e-06, 0 are left"
         self.assertRegex(" ".join(made.warnings), told + "; set surface_treatment to kept")
         low = insideout.tetrahedralize(self.needle(1e-14), refine=True)  # which it accepts, to compute without digits
-        self.assertRegex(" ".join(low.warnings), told.replace("refuse 1 of", "refuse 0, or lose most digits at 1, of"))
+        self.assertRegex(" ".join(low.warnings), told.replace("refuse 1 of", "refuse 0, or lose half its digits at 1, of"))
         # Each of several tags keeps its area.
         surfaces.add_array(needle.GetCellData(), "Side", np.arange(needle.GetNumberOfCells(), dtype=np.int64) // 8)
         tagged = insideout.tetrahedralize(needle, refine=True, tag_array="Side")

@@ -354,7 +354,7 @@ std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done, boo
       : "";
   }
   words += fitness.FlatCells > 0
-    ? ", and loses most digits at " + std::to_string(fitness.FlatCells) + " nearly flat ones"
+    ? ", and loses half its digits at " + std::to_string(fitness.FlatCells) + " nearly flat ones"
     : "";
   return words + ": " + AdviceFor(fitness, done, mayRemesh);
 }

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,8 +24,9 @@ namespace
 /** Limit of passes: one step may make room for another. */
 constexpr int MostPasses = 10;
 
-/** ShapeOf the thickest cell that is flat for a solver. */
-constexpr double FlatShape = FlatSine * FlatSine;
+/** Square of the least sine of a cell that a solver refuses no longer: volumes of flatter cells
+ * have few digits. */
+constexpr double FlatShape = 1e-20;
 
 /** Degrees. Moves may make angles as small as this, and smaller ones half as good. */
 constexpr double PoorAngle = 1;
@@ -48,9 +50,30 @@ bool IsPositive(const std::array<Point, 4>& corners)
   return Orient3D(corners[0], corners[1], corners[2], corners[3]) > 0;
 }
 
+bool HasShape(const std::array<Point, 4>& corners, double least)
+{
+  return ShapeOf(corners) >= least && IsPositive(corners) && !IsRefused(corners);
+}
+
 bool IsFit(const std::array<Point, 4>& corners)
 {
-  return ShapeOf(corners) >= FlatShape && IsPositive(corners) && !IsRefused(corners);
+  return HasShape(corners, FlatSine * FlatSine);
+}
+
+/** Whether a refused cell is accepted after a change, or a flat one fit. */
+bool IsMended(const std::array<Point, 4>& before, const std::array<Point, 4>& after)
+{
+  return HasShape(after, IsRefused(before) ? FlatShape : FlatSine * FlatSine);
+}
+
+/** The refused and the flat cells, and the worst shape with a minus: less is better. */
+using Unfitness = std::tuple<Id, Id, double>;
+
+void Count(const std::array<Point, 4>& corners, Unfitness& sum)
+{
+  const bool isRefused = IsRefused(corners);
+  std::get<0>(sum) += isRefused ? 1 : 0;
+  std::get<1>(sum) += !isRefused && !IsFit(corners) ? 1 : 0;
 }
 
 class RefusedCellMending : public SurfaceOperator
@@ -104,11 +127,7 @@ public:
   Id ChangesOfSurface() const { return this->Changes; }
 
 private:
-  bool IsUnfit(Id cell) const
-  {
-    return !this->Mesh.IsDead(cell) &&
-      !IsFit(CornersOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners));
-  }
+  bool IsUnfit(Id cell) const { return !this->Mesh.IsDead(cell) && !IsFit(this->PlacesOf(cell)); }
 
   std::vector<Id> UnfitCells() const
   {
@@ -135,25 +154,25 @@ private:
     }
   }
 
-  /** The number of unfit cells and the worst shape if the star's point is contracted. */
-  std::pair<Id, double> Contracted(Id target) const
+  /** The star's cells if its point is contracted. */
+  Unfitness Contracted(Id target) const
   {
-    std::pair<Id, double> result = { 0, 1 };
+    Unfitness result = { 0, 0, -1 };
     for (const Triangle& wall : this->Walls)
     {
       if (!Has(wall, target))
       {
         const std::array<Point, 4> corners =
           CornersOf(this->Mesh.Points, Tetrahedron{ { wall[0], wall[1], wall[2], target } });
-        result.first += IsFit(corners) ? 0 : 1;
-        result.second = std::min(result.second, ShapeOf(corners));
+        Count(corners, result);
+        std::get<2>(result) = std::max(std::get<2>(result), -ShapeOf(corners));
       }
     }
     return result;
   }
 
-  /** Contract an inner point into the neighbor with which the fewest cells are unfit, and of
-   * these the one with the best shapes; if they are fewer than before. */
+  /** Contract an inner point into the neighbor with which the fewest cells are refused, then flat,
+   * and of these the one with the best shapes; if they are fewer than before. */
   void Contract(Id point)
   {
     if (this->Mesh.Kinds[point] != PointKind::Free)
@@ -168,16 +187,18 @@ private:
     }
     SortUniquely(targets);
     const double least = std::min(std::max(WorstShapeOf(this->Mesh, this->Cells), 0.0), FlatShape);
-    std::pair<Id, double> best = { std::count_if(this->Cells.begin(), this->Cells.end(),
-                                     [this](Id cell) { return this->IsUnfit(cell); }),
-      1 };
+    Unfitness best = { 0, 0, -1 };
+    for (const Id cell : this->Cells)
+    {
+      Count(this->PlacesOf(cell), best);
+    }
     Id chosen = None;
     for (const Id target : targets)
     {
-      const auto [unfit, worst] = this->Contracted(target);
-      if (worst > least && (unfit < best.first || (unfit == best.first && worst > best.second)))
+      const Unfitness contracted = this->Contracted(target);
+      if (-std::get<2>(contracted) > least && contracted < best)
       {
-        best = { unfit, worst };
+        best = contracted;
         chosen = target;
       }
     }
@@ -352,7 +373,7 @@ private:
     for (const Id cell : this->Cells)
     {
       const std::array<Point, 4> moved = this->PlacesOf(cell, placeOf);
-      if (cell == mended ? !IsFit(moved) : !this->StaysFit(cell, moved))
+      if (cell == mended ? !IsMended(this->PlacesOf(cell), moved) : !this->StaysFit(cell, moved))
       {
         return false;
       }
@@ -363,9 +384,9 @@ private:
   /** Whether a cell with moved corners is positive, and not much worse than before. */
   bool StaysFit(Id cell, const std::array<Point, 4>& moved) const
   {
-    const std::array<Point, 4> now = CornersOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners);
+    const std::array<Point, 4> now = this->PlacesOf(cell);
     return ShapeOf(moved) >= std::min(ShapeOf(now), ShapeOfAngle(PoorAngle)) / 2 &&
-      IsPositive(moved) && (IsFit(moved) || !IsFit(now));
+      IsPositive(moved) && (!IsRefused(moved) || IsRefused(now)) && (IsFit(moved) || !IsFit(now));
   }
 
   /**
@@ -427,7 +448,8 @@ private:
       std::copy_if(this->Cells.begin(), this->Cells.end(), std::back_inserter(unfit),
         [&](Id cell) { return !this->StaysFit(cell, this->PlacesOf(cell, placeOf)); });
     }
-    if (!IsFit(this->PlacesOf(mended, placeOf)) || !this->MovesSurface(this->Cells, placeOf))
+    if (!IsMended(this->PlacesOf(mended), this->PlacesOf(mended, placeOf)) ||
+      !this->MovesSurface(this->Cells, placeOf))
     {
       return false;
     }
@@ -438,6 +460,11 @@ private:
     }
     ++this->Changes;
     return true;
+  }
+
+  std::array<Point, 4> PlacesOf(Id cell) const
+  {
+    return CornersOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners);
   }
 
   template <class PlaceOf>

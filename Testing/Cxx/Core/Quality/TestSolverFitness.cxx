@@ -134,8 +134,9 @@ TEST(SolverFitness, CountsNearlyFlatCellsInAnyUnit)
     EXPECT_EQ(flat.PoorCells, 1);
     EXPECT_EQ(flat.UnfitCells(), 1);
     EXPECT_NE(
-      WordsOfFitness(flat, CellTreatment::None).find("most digits at 1 "), std::string::npos);
-    EXPECT_EQ(fitnessOf(1e-9, unit).FlatCells, 0);
+      WordsOfFitness(flat, CellTreatment::None).find("half its digits at 1 "), std::string::npos);
+    EXPECT_EQ(fitnessOf(1e-9, unit).FlatCells, 1);
+    EXPECT_EQ(fitnessOf(1e-7, unit).FlatCells, 0);
   }
   const SolverFitness refused = fitnessOf(1e-13, 1e-7);
   EXPECT_EQ(refused.RefusedCells, 1);

@@ -227,7 +227,7 @@ TEST(MendRefusedCells, StackedFlatCellsNearZeroAreStretchedTogether)
   MendingOf mending(layer);
   EXPECT_GT(mending.CountCells(), 100);
   EXPECT_EQ(mending.CountRefusedCells(), 0);
-  EXPECT_EQ(mending.Changes, 1);
+  EXPECT_GT(mending.Changes, 0);
   for (const Point& place : mending.Mesh.Points)
   {
     EXPECT_LE(std::abs(place[2]), 1e-6);
