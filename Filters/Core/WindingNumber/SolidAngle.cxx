@@ -82,7 +82,7 @@ bool UnitVector(const RoundedSite& site, const Point& point, Vector<long double>
 /** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
 int Side(const std::array<Point, 3>& triangle, const Site& site)
 {
-  return SignOfDeterminant(site, triangle[0], triangle[1], triangle[2]);
+  return SignOfDeterminant(PreparedSite(site), triangle[0], triangle[1], triangle[2]);
 }
 
 /** z of modulus 1 from its real part and the absolute value of its imaginary part; 1 in the
