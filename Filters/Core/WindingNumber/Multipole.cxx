@@ -189,22 +189,16 @@ std::array<double, MultipoleDegree + 1> MultipoleBounds(const Multipole& multipo
   return bounds;
 }
 
-INSIDEOUT_VECTOR_CLONES
-void AddMultipole(
-  const Multipole& multipole, int degree, const double (&at)[3][Lanes], double (&w)[Lanes])
+namespace
 {
-  double x[Lanes], y[Lanes], z[Lanes], squared[Lanes];
-  double real[Lanes] = {};
+/** The sum of Multipole's formula, without 1 / r. The recursion of Q_lm has z and `squared` as its
+ * factors. */
+INSIDEOUT_ALWAYS_INLINE void SumTerms(const Multipole& multipole, int degree,
+  const double (&x)[Lanes], const double (&y)[Lanes], const double (&z)[Lanes],
+  const double (&squared)[Lanes], double (&sum)[Lanes])
+{
   double imaginary[Lanes] = {};
-#pragma omp simd
-  for (int lane = 0; lane < Lanes; ++lane)
-  {
-    squared[lane] =
-      1 / (at[0][lane] * at[0][lane] + at[1][lane] * at[1][lane] + at[2][lane] * at[2][lane]);
-    x[lane] = at[0][lane] * squared[lane];
-    y[lane] = at[1][lane] * squared[lane];
-    z[lane] = at[2][lane] * squared[lane];
-  }
+  std::fill(sum, sum + Lanes, 0.0);
   for (int m = degree; m >= 0; --m)
   {
     const int first = Terms.First[m];
@@ -233,15 +227,51 @@ void AddMultipole(
 #pragma omp simd
     for (int lane = 0; lane < Lanes; ++lane)
     {
-      const double turned = real[lane] * x[lane] - imaginary[lane] * y[lane];
-      imaginary[lane] = real[lane] * y[lane] + imaginary[lane] * x[lane] + sumImaginary[lane];
-      real[lane] = turned + sumReal[lane];
+      const double turned = sum[lane] * x[lane] - imaginary[lane] * y[lane];
+      imaginary[lane] = sum[lane] * y[lane] + imaginary[lane] * x[lane] + sumImaginary[lane];
+      sum[lane] = turned + sumReal[lane];
     }
   }
+}
+} // namespace
+
+INSIDEOUT_VECTOR_CLONES
+void AddMultipole(
+  const Multipole& multipole, int degree, const double (&at)[3][Lanes], double (&w)[Lanes])
+{
+  double x[Lanes], y[Lanes], z[Lanes], squared[Lanes], sum[Lanes];
 #pragma omp simd
   for (int lane = 0; lane < Lanes; ++lane)
   {
-    w[lane] += real[lane] * std::sqrt(squared[lane]);
+    squared[lane] =
+      1 / (at[0][lane] * at[0][lane] + at[1][lane] * at[1][lane] + at[2][lane] * at[2][lane]);
+    x[lane] = at[0][lane] * squared[lane];
+    y[lane] = at[1][lane] * squared[lane];
+    z[lane] = at[2][lane] * squared[lane];
+  }
+  SumTerms(multipole, degree, x, y, z, squared, sum);
+#pragma omp simd
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    w[lane] += sum[lane] * std::sqrt(squared[lane]);
+  }
+}
+
+INSIDEOUT_VECTOR_CLONES
+void AddLocal(const Multipole& local, int degree, const double (&at)[3][Lanes], double (&w)[Lanes])
+{
+  double squared[Lanes], sum[Lanes];
+#pragma omp simd
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    squared[lane] =
+      at[0][lane] * at[0][lane] + at[1][lane] * at[1][lane] + at[2][lane] * at[2][lane];
+  }
+  SumTerms(local, degree, at[0], at[1], at[2], squared, sum);
+#pragma omp simd
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    w[lane] += sum[lane];
   }
 }
 } // namespace insideout

@@ -24,7 +24,10 @@ struct Multipole
 {
   static constexpr int NumberOfTerms = (MultipoleDegree + 1) * (MultipoleDegree + 2) / 2;
 
-  std::array<double, NumberOfTerms> Real; ///< of c_lm, sorted by m, then l
+  /** The index of c_lm: sorted by m, then l. */
+  static constexpr int TermOf(int l, int m) { return m * MultipoleDegree - m * (m - 1) / 2 + l; }
+
+  std::array<double, NumberOfTerms> Real; ///< of c_lm
   std::array<double, NumberOfTerms> Imaginary;
 };
 
@@ -44,4 +47,13 @@ std::array<double, MultipoleDegree + 1> MultipoleBounds(const Multipole& multipo
  */
 void AddMultipole(
   const Multipole& multipole, int degree, const double (&at)[3][Lanes], double (&w)[Lanes]);
+
+/**
+ * Add a function that is harmonic inside the ball of radius 1, in solid harmonics up to a degree:
+ * the formula of Multipole with z and r^2 in place of z / r^2 and 1 / r^2, x + i y in place of
+ * (x + i y) / r^2, and no 1 / r.
+ *
+ * @param[in] at the sites' vectors from the center; not longer than 1
+ */
+void AddLocal(const Multipole& local, int degree, const double (&at)[3][Lanes], double (&w)[Lanes]);
 } // namespace insideout

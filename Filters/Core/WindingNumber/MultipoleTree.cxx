@@ -5,6 +5,7 @@
 #include "Common/SortUniquely.h"
 #include "Common/Vectors.h"
 #include "WindingNumber/Pi.h"
+#include "WindingNumber/TranslateMultipoles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,18 +69,6 @@ Ball BallAround(const std::vector<Point>& points, const std::vector<CountedTrian
   ball.Radius = std::max(ball.Radius * RoundedUp, LeastRadius);
   return ball;
 }
-
-std::vector<SiteProducts> BlocksOf(const Sites& sites)
-{
-  std::vector<Id> order(sites.Cells.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::vector<SiteProducts> blocks;
-  for (std::size_t first = 0; first < order.size(); first += Lanes)
-  {
-    blocks.push_back(MakeBlock(sites, order, first));
-  }
-  return blocks;
-}
 } // namespace
 
 Ball BallAround(const SiteBlock& sites)
@@ -94,6 +83,26 @@ Ball BallAround(const SiteBlock& sites)
     squared += extent * extent;
   }
   ball.Radius = std::sqrt(squared) * RoundedUp;
+  return ball;
+}
+
+Ball BallAround(const SiteProducts* first, const SiteProducts* last)
+{
+  Box box = Box::Empty();
+  for (const SiteProducts* block = first; block != last; ++block)
+  {
+    const auto& [x, y, z] = block->Rounded.High;
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      box.Add(Point{ x[lane], y[lane], z[lane] });
+    }
+  }
+  Ball ball;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ball.Centre[axis] = box.Low[axis] / 2 + box.High[axis] / 2;
+  }
+  ball.Radius = QuickDistance(ball.Centre, box.High) * RoundedUp;
   return ball;
 }
 
@@ -127,7 +136,9 @@ MultipoleTree::MultipoleTree(const std::vector<Point>& points,
   this->Build(points, groups, 0, groups.size());
   const std::vector<Tetrahedron> cells = CellsOfPoints(MultipoleSamples().size());
   const Sites samples = { MultipoleSamples(), cells };
-  const std::vector<SiteProducts> blocks = BlocksOf(samples);
+  std::vector<Id> order(cells.size());
+  std::iota(order.begin(), order.end(), 0);
+  const std::vector<SiteProducts> blocks = MakeBlocks(samples, order, 0, order.size());
   const double nanosecondsPerNode = 3e5;
   // Children are shorter than their parent: level by level, from the groups up.
   std::vector<std::vector<Id>> levels;
@@ -215,6 +226,12 @@ void MultipoleTree::SetReach(Node& node) const
 void MultipoleTree::SharpenReach(Node& node)
 {
   const std::array<double, MultipoleDegree + 1> bounds = MultipoleBounds(node.Field);
+  const double nearer = node.Reach.back() / (2 * node.Around.Radius);
+  node.Largest = 0;
+  for (int l = MultipoleDegree; l >= 0; --l)
+  {
+    node.Largest = (node.Largest + bounds[l]) * nearer;
+  }
   for (int p = 0; p < MultipoleDegree; ++p)
   {
     const double t = LargestBelow(LeastSeen,
@@ -303,7 +320,127 @@ void MultipoleTree::Join(
   SharpenReach(node);
 }
 
-void MultipoleTree::Select(const Ball& sites, Selection& selection) const
+int MultipoleTree::DegreeAt(const Node& node, double distance)
+{
+  // Reaches decrease.
+  const auto serves = std::partition_point(
+    node.Reach.begin(), node.Reach.end(), [&](double reach) { return reach > distance; });
+  return static_cast<int>(serves - node.Reach.begin());
+}
+
+/**
+ * The degree up to which a node's field is expanded in a ball around sites; above the highest one
+ * if none serves.
+ */
+int MultipoleTree::LocalDegree(const Node& node, double distance, double radius)
+{
+  // The field is at most Largest in a ball around the sites' center that ends two radii from the
+  // node's. Let t be the sites' radius over that ball's. At the sites the part of degree n is at
+  // most root(2 n + 1) t^n Largest, by the addition theorem (MultipoleBounds). The parts from this
+  // degree on add up to at most 1 / (1 - t)^2 times that.
+  const double t = radius / (distance - 2 * node.Around.Radius);
+  if (!(t > 0 && t < 1))
+  {
+    return MultipoleDegree + 1;
+  }
+  double rest = node.Largest * t / ((1 - t) * (1 - t));
+  int degree = 0;
+  while (degree <= MultipoleDegree && rest * std::sqrt(2 * degree + 3) > LeastSeen)
+  {
+    rest *= t;
+    ++degree;
+  }
+  return degree;
+}
+
+std::vector<Id> MultipoleTree::Roots() const
+{
+  return this->Nodes.empty() ? std::vector<Id>() : std::vector<Id>{ 0 };
+}
+
+/** Call far(node, distance of the balls' centers) or near(leaf), which together have all groups. */
+template <typename Far, typename Near>
+void MultipoleTree::VisitNodes(
+  const Ball& sites, const std::vector<Id>& nodes, const Far& far, const Near& near) const
+{
+  for (const Id root : nodes)
+  {
+    for (Id i = root; i < this->Nodes[root].Next;)
+    {
+      const Node& node = this->Nodes[i];
+      const double distance = QuickDistance(node.Around.Centre, sites.Centre) / RoundedUp;
+      if (distance - sites.Radius >= node.Reach.back())
+      {
+        far(i, distance);
+        i = node.Next;
+        continue;
+      }
+      if (node.Last - node.First == 1)
+      {
+        near(i);
+      }
+      ++i;
+    }
+  }
+}
+
+MultipoleTree::Local MultipoleTree::Around(const Ball& sites, const std::vector<Id>& nodes) const
+{
+  struct Pair
+  {
+    Id Node;
+    int Degree;
+    int LocalDegree;
+    double Distance;
+  };
+  std::vector<Pair> pairs;
+  Local local;
+  local.Sites = sites;
+  this->VisitNodes(
+    sites, nodes,
+    [&](Id i, double distance)
+    {
+      const Node& node = this->Nodes[i];
+      const int degree = LocalDegree(node, distance, sites.Radius);
+      if (degree > MultipoleDegree)
+      {
+        local.Rest.push_back(i);
+        return;
+      }
+      pairs.push_back({ i, DegreeAt(node, distance - sites.Radius), degree, distance * RoundedUp });
+    },
+    [&](Id leaf) { local.Rest.push_back(leaf); });
+  // Nodes side by side share their degrees.
+  std::stable_sort(pairs.begin(), pairs.end(),
+    [](const Pair& a, const Pair& b)
+    { return a.Degree + a.LocalDegree < b.Degree + b.LocalDegree; });
+  for (std::size_t first = 0; first < pairs.size(); first += Lanes)
+  {
+    FarMultipoles far = {};
+    int degree = 0;
+    int localDegree = 0;
+    for (std::size_t k = 0; k < Lanes; ++k)
+    {
+      const Pair& pair = pairs[std::min(first + k, pairs.size() - 1)];
+      const Node& node = this->Nodes[pair.Node];
+      far.Fields[k] = &node.Field;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        far.Direction[axis][k] = (sites.Centre[axis] - node.Around.Centre[axis]) / pair.Distance;
+      }
+      far.Unit[k] = first + k < pairs.size() ? node.Reach.back() / pair.Distance : 0;
+      far.Radius[k] = sites.Radius / pair.Distance;
+      degree = std::max(degree, pair.Degree);
+      localDegree = std::max(localDegree, pair.LocalDegree);
+    }
+    TranslateMultipoles(far, degree, localDegree, local.Field);
+    local.Degree = std::max(local.Degree, localDegree);
+  }
+  return local;
+}
+
+void MultipoleTree::Select(
+  const Ball& sites, const std::vector<Id>& nodes, Selection& selection) const
 {
   selection.Far.clear();
   selection.Near.clear();
@@ -313,26 +450,31 @@ void MultipoleTree::Select(const Ball& sites, Selection& selection) const
     std::iota(selection.Near.begin(), selection.Near.end(), 0);
     return;
   }
-  for (Id i = 0; i < static_cast<Id>(this->Nodes.size());)
+  this->VisitNodes(
+    sites, nodes,
+    [&](Id i, double distance) {
+      selection.Far.push_back({ i, DegreeAt(this->Nodes[i], distance - sites.Radius) });
+    },
+    [&](Id leaf) { selection.Near.push_back(static_cast<Id>(this->Nodes[leaf].First)); });
+}
+
+void MultipoleTree::Add(const Local& local, const SiteBlock& sites, double (&w)[Lanes]) const
+{
+  if (local.Degree < 0)
   {
-    const Node& node = this->Nodes[i];
-    const double distance =
-      QuickDistance(node.Around.Centre, sites.Centre) / RoundedUp - sites.Radius;
-    if (distance >= node.Reach.back())
-    {
-      // Reaches decrease.
-      const auto serves = std::partition_point(
-        node.Reach.begin(), node.Reach.end(), [&](double reach) { return reach > distance; });
-      selection.Far.push_back({ i, static_cast<int>(serves - node.Reach.begin()) });
-      i = node.Next;
-      continue;
-    }
-    if (node.Last - node.First == 1)
-    {
-      selection.Near.push_back(static_cast<Id>(node.First));
-    }
-    ++i;
+    return;
   }
+  double at[3][Lanes];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      at[axis][lane] =
+        ((sites.High[axis][lane] - local.Sites.Centre[axis]) + sites.Low[axis][lane]) /
+        local.Sites.Radius;
+    }
+  }
+  AddLocal(local.Field, local.Degree, at, w);
 }
 
 void MultipoleTree::Add(

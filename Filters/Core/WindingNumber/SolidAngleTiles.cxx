@@ -45,6 +45,17 @@ SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::si
   return block;
 }
 
+std::vector<SiteProducts> MakeBlocks(
+  const Sites& sites, const std::vector<Id>& order, std::size_t first, std::size_t last)
+{
+  std::vector<SiteProducts> blocks;
+  for (std::size_t i = first; i < last; i += Lanes)
+  {
+    blocks.push_back(MakeBlock(sites, order, i));
+  }
+  return blocks;
+}
+
 SolidAngleTiles::SolidAngleTiles(const std::vector<Point>& points)
   : Points(points)
 {

@@ -26,6 +26,10 @@ struct TileRange
 /** The block of the sites from `first` on of `order`; the last site is repeated at the end. */
 SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first);
 
+/** The blocks of the sites from `first` up to `last`. */
+std::vector<SiteProducts> MakeBlocks(
+  const Sites& sites, const std::vector<Id>& order, std::size_t first, std::size_t last);
+
 /**
  * Triangles prepared for the product of SolidAngleProduct.h. Triangles that share points are
  * grouped in a tile, whose unit vectors fit in the L1 cache: a block of sites computes them once

@@ -280,17 +280,18 @@ void WindingNumberOfCaps::MultiplyByFar(
 }
 
 void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& order,
-  std::size_t first, Chosen& chosen, std::vector<double>& w) const
+  std::size_t first, SiteProducts& block, Chosen& chosen, std::vector<double>& w) const
 {
   const std::size_t last = std::min(order.size(), first + Lanes);
   for (std::size_t i = first; i < last; ++i)
   {
     Prefetch(&w[order[i]]);
   }
-  SiteProducts block = MakeBlock(sites, order, first);
   const Ball ball = BallAround(block.Rounded);
-  this->Tree->Select(ball, chosen.Bunches);
+  this->Tree->Select(ball, chosen.Inner.Rest, chosen.Bunches);
   double sums[Lanes] = {};
+  this->Tree->Add(chosen.Outer, block.Rounded, sums);
+  this->Tree->Add(chosen.Inner, block.Rounded, sums);
   this->Tree->Add(chosen.Bunches, block.Rounded, sums);
   this->Choose(ball, chosen.Bunches.Near, chosen.Parts);
 
@@ -329,7 +330,8 @@ void WindingNumberOfCaps::Add(const Sites& sites, const std::vector<Id>& order,
   {
     return;
   }
-  const std::size_t sitesPerCall = 16 * Lanes;
+  const std::size_t blocksPerRun = MultipoleTree::BlocksPerRun;
+  const std::size_t sitesPerCall = this->Tree->RunsPerCall() * blocksPerRun * Lanes;
   const Id calls = static_cast<Id>((order.size() + sitesPerCall - 1) / sitesPerCall);
   const double nanosecondsPerTriangle = 2;
   ChunkedLoop(calls, nanosecondsPerTriangle * sitesPerCall * this->Triangles.NumberOfTriangles(),
@@ -338,9 +340,19 @@ void WindingNumberOfCaps::Add(const Sites& sites, const std::vector<Id>& order,
     {
       Chosen chosen;
       const std::size_t first = static_cast<std::size_t>(call) * sitesPerCall;
-      for (std::size_t i = first; i < std::min(order.size(), first + sitesPerCall); i += Lanes)
+      const std::size_t last = std::min(order.size(), first + sitesPerCall);
+      std::vector<SiteProducts> blocks = MakeBlocks(sites, order, first, last);
+      SiteProducts* const end = blocks.data() + blocks.size();
+      chosen.Outer = this->Tree->Around(BallAround(blocks.data(), end), this->Tree->Roots());
+      for (std::size_t i = 0; i < blocks.size(); ++i)
       {
-        this->AddBlock(sites, order, i, chosen, w);
+        if (i % blocksPerRun == 0)
+        {
+          SiteProducts* const run = &blocks[i];
+          const Ball ball = BallAround(run, std::min(end, run + blocksPerRun));
+          chosen.Inner = this->Tree->Around(ball, chosen.Outer.Rest);
+        }
+        this->AddBlock(sites, order, first + i * Lanes, blocks[i], chosen, w);
       }
     });
 }
@@ -352,8 +364,11 @@ double WindingNumberOfCaps::At(const Point& point) const
   {
     const std::vector<Point> points = { point };
     const std::vector<Tetrahedron> cells = { { { 0, 0, 0, 0 } } };
+    const Sites sites = { points, cells };
     Chosen chosen;
-    this->AddBlock({ points, cells }, { 0 }, 0, chosen, w);
+    chosen.Inner.Rest = this->Tree->Roots();
+    SiteProducts block = MakeBlock(sites, { 0 }, 0);
+    this->AddBlock(sites, { 0 }, 0, block, chosen, w);
   }
   return w.front();
 }

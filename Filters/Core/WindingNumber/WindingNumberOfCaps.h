@@ -79,8 +79,10 @@ private:
   };
   struct Chosen
   {
-    MultipoleTree::Selection Bunches;
-    std::vector<BoundedPart> Parts; ///< of the near ones
+    MultipoleTree::Local Outer;       ///< of the bunches, around many blocks
+    MultipoleTree::Local Inner;       ///< of the rest, around fewer
+    MultipoleTree::Selection Bunches; ///< of the rest, for one block
+    std::vector<BoundedPart> Parts;   ///< of the near ones
   };
 
   void AddBunches(const Chain** first, const Chain** last, std::vector<Chain>& bunches);
@@ -91,8 +93,8 @@ private:
     const Ball& sites, const std::vector<Id>& bunches, std::vector<BoundedPart>& parts) const;
   void MultiplyByFar(
     const Part& part, const Ball& ball, const SiteBlock& sites, PhaseProducts& products) const;
-  void AddBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first, Chosen& chosen,
-    std::vector<double>& w) const;
+  void AddBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first,
+    SiteProducts& block, Chosen& chosen, std::vector<double>& w) const;
 
   const std::vector<Point>& Points;
   SolidAngleTiles Triangles;

@@ -208,22 +208,26 @@ void WindingNumberOfStraightCaps::AddTriangles(const std::vector<Id>& groups, co
 }
 
 void WindingNumberOfStraightCaps::AddBlocks(const Sites& sites, const std::vector<Id>& order,
-  std::size_t first, std::size_t last, std::vector<double>& w) const
+  std::size_t first, std::size_t last, SiteProducts* blocks, const MultipoleTree::Local& outer,
+  std::vector<double>& w) const
 {
-  std::vector<SiteProducts> blocks;
+  const std::size_t count = (last - first + Lanes - 1) / Lanes;
   Box box = Box::Empty();
-  for (std::size_t i = first; i < last; i += Lanes)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    blocks.push_back(MakeBlock(sites, order, i));
-    box.Add(BoxOfSites(blocks.back().Rounded));
+    box.Add(BoxOfSites(blocks[i].Rounded));
   }
+  const MultipoleTree::Local inner =
+    this->Tree->Around(BallAround(blocks, blocks + count), outer.Rest);
   const SliverTree::Selection slivers = this->Slivers.Select(box);
   MultipoleTree::Selection groups;
   for (std::size_t i = first; i < last; i += Lanes)
   {
     SiteProducts& block = blocks[(i - first) / Lanes];
-    this->Tree->Select(BallAround(block.Rounded), groups);
+    this->Tree->Select(BallAround(block.Rounded), inner.Rest, groups);
     double far[Lanes] = {};
+    this->Tree->Add(outer, block.Rounded, far);
+    this->Tree->Add(inner, block.Rounded, far);
     this->Tree->Add(groups, block.Rounded, far);
     double labels[Lanes] = {};
     this->AddTriangles(groups.Near, sites, block, labels);
@@ -245,7 +249,8 @@ void WindingNumberOfStraightCaps::Add(const Sites& sites, const std::vector<Id>&
   {
     return;
   }
-  const std::size_t sitesPerCall = 16 * Lanes;
+  const std::size_t sitesPerRun = MultipoleTree::BlocksPerRun * Lanes;
+  const std::size_t sitesPerCall = this->Tree->RunsPerCall() * sitesPerRun;
   const Id calls = static_cast<Id>((order.size() + sitesPerCall - 1) / sitesPerCall);
   const double nanosecondsPerTriangle = 2;
   ChunkedLoop(calls,
@@ -254,7 +259,15 @@ void WindingNumberOfStraightCaps::Add(const Sites& sites, const std::vector<Id>&
     [&](Id call)
     {
       const std::size_t first = static_cast<std::size_t>(call) * sitesPerCall;
-      this->AddBlocks(sites, order, first, std::min(order.size(), first + sitesPerCall), w);
+      const std::size_t last = std::min(order.size(), first + sitesPerCall);
+      std::vector<SiteProducts> blocks = MakeBlocks(sites, order, first, last);
+      const MultipoleTree::Local outer = this->Tree->Around(
+        BallAround(blocks.data(), blocks.data() + blocks.size()), this->Tree->Roots());
+      for (std::size_t i = first; i < last; i += sitesPerRun)
+      {
+        this->AddBlocks(
+          sites, order, i, std::min(last, i + sitesPerRun), &blocks[(i - first) / Lanes], outer, w);
+      }
     });
 }
 } // namespace insideout

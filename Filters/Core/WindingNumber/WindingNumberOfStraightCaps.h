@@ -43,7 +43,8 @@ public:
 private:
   const BoxTree& TreeOf(std::size_t cap) const;
   void AddBlocks(const Sites& sites, const std::vector<Id>& order, std::size_t first,
-    std::size_t last, std::vector<double>& w) const;
+    std::size_t last, SiteProducts* blocks, const MultipoleTree::Local& outer,
+    std::vector<double>& w) const;
   void AddTriangles(const std::vector<Id>& groups, const Sites& sites, SiteProducts& block,
     double (&labels)[Lanes]) const;
   double MultiplyByUndecided(
