@@ -4,6 +4,7 @@
 #include "Common/Vectors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace insideout
@@ -103,5 +104,73 @@ Point NearestPointOf(const std::array<Point, 3>& triangle, const Point& place)
   return !isNeedle
     ? MovedBy(place, nearest)
     : MovedBy(place, NearestPointTo0(SeenFrom<long double>(place, triangle), nullptr));
+}
+
+SquaredDistances::SquaredDistances(const std::array<Point, 3>& triangle)
+  : Corners(triangle)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Edges[k] = Difference(triangle[(k + 1) % 3], triangle[k]);
+    this->Inverses[k] = 1 / Dot(this->Edges[k], this->Edges[k]);
+  }
+  const Point normal = Cross(this->Edges[0], Difference(triangle[2], triangle[0]));
+  const double squared = Dot(normal, normal);
+  this->IsNeedle = !(squared * this->Inverses[0] * this->Inverses[2] >= LeastSquaredSine);
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point inward = Cross(normal, this->Edges[(k + 1) % 3]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Slopes[k][axis] = inward[axis] / squared;
+    }
+    this->Normal[k] = normal[k] / std::sqrt(squared);
+    this->SquaredHeights[k] = squared * this->Inverses[(k + 1) % 3];
+  }
+}
+
+double SquaredDistances::To(const Point& place, double most) const
+{
+  if (this->IsNeedle)
+  {
+    const Point apart = Difference(NearestPointOf(this->Corners, place), place);
+    return Dot(apart, apart);
+  }
+  const std::array<Point, 3> from = { { Difference(place, this->Corners[0]),
+    Difference(place, this->Corners[1]), Difference(place, this->Corners[2]) } };
+  const double height = Dot(from[0], this->Normal);
+  std::array<double, 3> coordinates;
+  double bound = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    coordinates[k] = Dot(from[(k + 1) % 3], this->Slopes[k]);
+    const double beyond = std::min(coordinates[k], 0.0);
+    bound = std::max(bound, beyond * beyond * this->SquaredHeights[k]);
+  }
+  bound += height * height;
+  if (bound >= most)
+  {
+    return bound;
+  }
+  // The nearest point is on an edge that separates the place from the triangle, if any does.
+  double least = std::numeric_limits<double>::infinity();
+  bool isBeyond = false;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (coordinates[k] < 0)
+    {
+      const int i = (k + 1) % 3;
+      const double t = std::clamp(Dot(from[i], this->Edges[i]) * this->Inverses[i], 0.0, 1.0);
+      double squared = 0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double apart = from[i][axis] - t * this->Edges[i][axis];
+        squared += apart * apart;
+      }
+      least = std::min(least, squared);
+      isBeyond = true;
+    }
+  }
+  return isBeyond ? least : height * height;
 }
 } // namespace insideout

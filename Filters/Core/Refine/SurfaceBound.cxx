@@ -103,6 +103,13 @@ bool SurfaceBound::PutDown(
   const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh, double most)
 {
   this->AtFresh.assign(fresh.size(), {});
+  std::vector<SquaredDistances> distances;
+  distances.reserve(fresh.size());
+  for (const SurfacePiece& piece : fresh)
+  {
+    distances.emplace_back(piece.Places);
+  }
+  std::size_t nearest = 0; // to the last sample: the next one is not far from it
   for (const SurfacePiece& piece : gone)
   {
     const auto found = this->AtPieces.find(KeyOf(piece.Corners));
@@ -114,11 +121,11 @@ bool SurfaceBound::PutDown(
     {
       const Point& place = this->Places[sample];
       double least = std::numeric_limits<double>::infinity();
-      std::size_t nearest = 0;
-      for (std::size_t i = 0; i < fresh.size(); ++i)
+      const std::size_t first = nearest;
+      for (std::size_t k = 0; k < fresh.size(); ++k)
       {
-        const Point apart = Difference(NearestPointOf(fresh[i].Places, place), place);
-        const double squared = Dot(apart, apart);
+        const std::size_t i = (first + k) % fresh.size();
+        const double squared = distances[i].To(place, least);
         if (squared < least)
         {
           least = squared;

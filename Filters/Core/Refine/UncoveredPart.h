@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/Box.h"
+#include "Common/PlanarPoint.h"
+#include "Common/Types.h"
 
 #include <array>
 #include <vector>
@@ -33,18 +34,33 @@ public:
 private:
   static constexpr std::size_t MostParts = 100;
 
-  /** In the plane: two coordinates, and the height above it, which is 0. */
-  using Polygon = std::vector<Point>;
+  /** A convex polygon in the triangle's plane. */
+  struct Polygon
+  {
+    /** Nothing is subtracted from a part if cuts might make more corners. */
+    static constexpr int MostCorners = 16;
+
+    Polygon() = default;
+    Polygon(const Polygon& other) { *this = other; }
+    Polygon& operator=(const Polygon& other);
+    void Add(const PlanarPoint& corner) { this->Corners[this->Size++] = corner; }
+    void FindBox();
+
+    int Size = 0;
+    PlanarPoint Low; ///< from FindBox
+    PlanarPoint High;
+    std::array<PlanarPoint, MostCorners> Corners;
+  };
+  class NearTriangle;
 
   Point ToPlane(const Point& place) const;
-  bool CoverPart(const Polygon& part, const std::array<Point, 3>& near, const Box& reach);
 
   Point Origin;
   std::array<Point, 3> Axes; ///< of length 1; the third is the normal
   bool HasNormal;
   double Near;
-  std::vector<Polygon> Parts;  ///< convex
-  std::vector<Polygon> Left;   ///< of a part, scratch
-  std::array<Polygon, 3> Cuts; ///< scratch
+  double Size = 0; ///< the largest coordinate in the plane
+  std::vector<Polygon> Parts;
+  std::vector<Polygon> Left; ///< of a part, scratch
 };
 } // namespace insideout

@@ -64,6 +64,32 @@ TEST(UncoveredPart, IsSomethingWhereANeedleIsMissingOrFar)
   EXPECT_FALSE(IsCovered(needles));
 }
 
+TEST(UncoveredPart, IsNothingOnALatticeWhoseCornersAreRounded)
+{
+  constexpr int Count = 6;
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int turn = 0; turn < 100; ++turn)
+  {
+    const Point along = { { any(engine), any(engine), any(engine) } };
+    const Point up = { { any(engine), any(engine), any(engine) } };
+    const auto at = [&](int i, int j)
+    {
+      return Point{ { i * along[0] + j * up[0], i * along[1] + j * up[1],
+        i * along[2] + j * up[2] } };
+    };
+    UncoveredPart part({ { at(1, 0), at(Count, 2), at(0, Count) } }, 1e-3);
+    for (int k = 0; k < Count * Count; ++k)
+    {
+      const int i = k % Count;
+      const int j = k / Count;
+      part.Cover({ { at(i, j), at(i + 1, j), at(i, j + 1) } });
+      part.Cover({ { at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) } });
+    }
+    EXPECT_TRUE(part.IsEmpty()) << turn;
+  }
+}
+
 TEST(UncoveredPart, IsNeverTakenAwayWhereItIsFar)
 {
   std::mt19937 engine(7);
