@@ -41,12 +41,12 @@ bool Cone::Make(
   const FlippableMesh& mesh, const SegmentTable& segments, Id apex, Id centre, Id gone)
 {
   this->Fresh.clear();
-  this->OnWall.Start(mesh.Vertices().Size());
-  this->WallEdges.Start(MostEdgesPerCell * this->Old.Cells().size());
+  this->OnWall.Clear();
+  this->WallEdges.Start(MostEdgesPerCell * this->Old.Members().size());
   this->SurfaceFaces.clear();
   const auto isWall = [&](const FlippableCell& cell, int at, int k)
   { return (at < 0 || at == k) && !this->Old.Has(cell.Neighbors[k]); };
-  for (const Id id : this->Old.Cells())
+  for (const Id id : this->Old.Members())
   {
     const FlippableCell& cell = mesh.Cell(id);
     const int atGone = CornerIndexIn(cell.Corners, gone);
@@ -70,7 +70,7 @@ bool Cone::Make(
       }
     }
   }
-  for (const Id id : this->Old.Cells())
+  for (const Id id : this->Old.Members())
   {
     const FlippableCell& cell = mesh.Cell(id);
     if (!this->Keeps(cell.Corners, centre, segments))

@@ -4,7 +4,7 @@
 #include "Exact/EdgeSet.h"
 #include "Exact/FlippableMesh.h"
 #include "Exact/SegmentTable.h"
-#include "Mesh/CellSet.h"
+#include "Mesh/IdSet.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace insideout
  */
 struct Cone
 {
-  CellSet Old; ///< the cells that give way
+  IdSet Old; ///< the cells that give way
   std::vector<Tetrahedron> Fresh;
 
   /**
@@ -47,7 +47,7 @@ private:
     Id Facet;
   };
   std::vector<SurfaceFace> SurfaceFaces;
-  CellMarks OnWall; ///< per vertex
+  IdSet OnWall; ///< vertices
   EdgeSet WallEdges;
 };
 } // namespace insideout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Mesh/IdSet.h"
 #include "Mesh/Mesh.h"
 
 #include <algorithm>
@@ -26,57 +27,16 @@ public:
   std::int64_t Steps() const { return this->Taken; }
 
 private:
-  struct Slot
+  void Add(std::size_t side, Id cell)
   {
-    Id Cell;
-    std::uint32_t Epoch;
-  };
-
-  std::size_t SlotOf(Id cell) const;
-  bool Has(Id cell) const { return this->Slots[this->SlotOf(cell)].Epoch == this->Epoch; }
-  void Add(std::size_t side, Id cell);
-  void Grow();
+    this->Known.Add(cell);
+    this->Stars[side].push_back(cell);
+  }
 
   std::array<std::vector<Id>, 2> Stars;
-  std::vector<Slot> Slots = std::vector<Slot>(256, { 0, 0 }); ///< hash table of the cells in both
-  std::uint32_t Epoch = 0;
+  IdSet Known; ///< the cells in both
   std::int64_t Taken = 0;
 };
-
-/** The slot with the cell, or the one that it would be put into. */
-inline std::size_t EdgeSearch::SlotOf(Id cell) const
-{
-  const std::size_t mask = this->Slots.size() - 1;
-  std::size_t slot = (static_cast<std::uint32_t>(cell) * 0x9E3779B1u >> 8) & mask;
-  while (this->Slots[slot].Epoch == this->Epoch && this->Slots[slot].Cell != cell)
-  {
-    slot = (slot + 1) & mask;
-  }
-  return slot;
-}
-
-inline void EdgeSearch::Add(std::size_t side, Id cell)
-{
-  if (2 * (this->Stars[0].size() + this->Stars[1].size()) >= this->Slots.size())
-  {
-    this->Grow();
-  }
-  this->Slots[this->SlotOf(cell)] = { cell, this->Epoch };
-  this->Stars[side].push_back(cell);
-}
-
-inline void EdgeSearch::Grow()
-{
-  this->Slots.assign(2 * this->Slots.size(), { 0, 0 });
-  this->Epoch = 1;
-  for (const std::vector<Id>& star : this->Stars)
-  {
-    for (const Id cell : star)
-    {
-      this->Slots[this->SlotOf(cell)] = { cell, this->Epoch };
-    }
-  }
-}
 
 template <class Policy>
 Id EdgeSearch::Find(const Mesh<Policy>& mesh, Id u, Id v)
@@ -94,11 +54,7 @@ Id EdgeSearch::Find(const Mesh<Policy>& mesh, Id u, Id v)
       return cells[side];
     }
   }
-  if (++this->Epoch == 0) // after 2^32 searches
-  {
-    this->Slots.assign(this->Slots.size(), { 0, 0 });
-    this->Epoch = 1;
-  }
+  this->Known.Clear();
   for (int side = 0; side < 2; ++side)
   {
     this->Stars[side].clear();
@@ -115,7 +71,7 @@ Id EdgeSearch::Find(const Mesh<Policy>& mesh, Id u, Id v)
       for (int k = 0; k < 4; ++k)
       {
         const Id neighbor = cell.Neighbors[k];
-        if (cell.Corners[k] == ends[side] || neighbor == None || this->Has(neighbor))
+        if (cell.Corners[k] == ends[side] || neighbor == None || this->Known.Has(neighbor))
         {
           continue;
         }

@@ -42,7 +42,7 @@ bool Grow(const FlippableMesh& mesh, const std::vector<Id>& star, Cone& cone, Id
   {
     return false;
   }
-  cone.Old.Start(mesh.NumberOfCells());
+  cone.Old.Clear();
   for (const Id cell : star)
   {
     if (!mesh.IsInfinite(cell))
@@ -50,9 +50,9 @@ bool Grow(const FlippableMesh& mesh, const std::vector<Id>& star, Cone& cone, Id
       cone.Old.Add(cell);
     }
   }
-  for (std::size_t next = 0; next < cone.Old.Cells().size(); ++next)
+  for (std::size_t next = 0; next < cone.Old.Members().size(); ++next)
   {
-    const FlippableCell& cell = mesh.Cell(cone.Old.Cells()[next]);
+    const FlippableCell& cell = mesh.Cell(cone.Old.Members()[next]);
     const int atPoint = CornerIndexIn(cell.Corners, point);
     const int atApex = CornerIndexIn(cell.Corners, apex);
     for (int k = 0; k < 4; ++k)
@@ -69,7 +69,7 @@ bool Grow(const FlippableMesh& mesh, const std::vector<Id>& star, Cone& cone, Id
         continue;
       }
       if (cell.Facets[k] != None || mesh.IsInfinite(cell.Neighbors[k]) ||
-        cone.Old.Cells().size() == LargestCavity)
+        cone.Old.Members().size() == LargestCavity)
       {
         return false;
       }
@@ -96,7 +96,7 @@ bool MovePoint(ExactState& state, Id point, const Point& place)
   mesh.RemoveLastVertex();
   if (canMove)
   {
-    mesh.Replace(cone.Old.Cells(), cone.Fresh);
+    mesh.Replace(cone.Old.Members(), cone.Fresh);
     mesh.MoveVertex(point, place);
     cone.MarkSurface(mesh, point);
   }
@@ -113,7 +113,7 @@ bool CollapsePoint(ExactState& state, Id point, const std::vector<Id>& neighbors
     if (Grow(state.Mesh, star, cone, point, neighbor) &&
       cone.Make(state.Mesh, state.Segments, neighbor, point, point) && !cone.HasSurface())
     {
-      state.Mesh.Replace(cone.Old.Cells(), cone.Fresh);
+      state.Mesh.Replace(cone.Old.Members(), cone.Fresh);
       return true;
     }
   }

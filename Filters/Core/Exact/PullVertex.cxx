@@ -73,10 +73,10 @@ bool IsOnHullFace(const FlippableMesh& mesh, Id cell, Id apex)
 /** Add the cells behind faces that do not see the apex. */
 bool Grow(const FlippableMesh& mesh, Cone& cone, Id apex, std::size_t mostCells)
 {
-  for (std::size_t next = 0; next < cone.Old.Cells().size(); ++next)
+  for (std::size_t next = 0; next < cone.Old.Members().size(); ++next)
   {
-    const Id id = cone.Old.Cells()[next];
-    if (cone.Old.Cells().size() > mostCells || !IsOnHullFace(mesh, id, apex))
+    const Id id = cone.Old.Members()[next];
+    if (cone.Old.Members().size() > mostCells || !IsOnHullFace(mesh, id, apex))
     {
       return false;
     }
@@ -108,14 +108,14 @@ bool PullVertex(ExactState& state, Id apex, Id other, std::size_t mostCells)
 {
   FlippableMesh& mesh = state.Mesh;
   Cone& cone = state.Scratch.Moved;
-  cone.Old.Start(mesh.NumberOfCells());
+  cone.Old.Clear();
   const bool isCone = AddCrossed(state, apex, other) && Grow(mesh, cone, apex, mostCells);
-  mesh.Work().Spend(static_cast<std::int64_t>(cone.Old.Cells().size()));
+  mesh.Work().Spend(static_cast<std::int64_t>(cone.Old.Members().size()));
   if (!isCone || !cone.Make(mesh, state.Segments, apex, apex))
   {
     return false;
   }
-  mesh.Replace(cone.Old.Cells(), cone.Fresh);
+  mesh.Replace(cone.Old.Members(), cone.Fresh);
   cone.MarkSurface(mesh, apex);
   return true;
 }

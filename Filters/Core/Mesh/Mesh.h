@@ -6,6 +6,7 @@
 #include "Common/RawVector.h"
 #include "Common/SortedTriangle.h"
 #include "Mesh/CellMarks.h"
+#include "Mesh/IdSet.h"
 #include "Mesh/PendingFaces.h"
 
 #include <algorithm>
@@ -67,6 +68,7 @@ public:
     Journal Past;
 
     // Scratch memory of Replace.
+    IdSet Old;
     PendingFaces Faces;
     std::vector<CellType> Fresh;
     std::vector<OuterFace> Outer;
@@ -336,14 +338,14 @@ void Mesh<Policy>::Ring(Id u, Id v, Id cell, EdgeRing& ring) const
 template <class Policy>
 void Mesh<Policy>::MarkOld(const std::vector<Id>& old, Workspace& work) const
 {
-  work.Marks.Start(this->NumberOfCells());
+  work.Old.Clear();
   for (const Id cell : old)
   {
-    if (this->IsDead(cell) || work.Marks.Has(cell))
+    if (this->IsDead(cell) || work.Old.Has(cell))
     {
       throw Error(ErrorCode::Inconsistent, "cells were replaced that are not there");
     }
-    work.Marks.Add(cell);
+    work.Old.Add(cell);
   }
 }
 
@@ -359,7 +361,7 @@ std::size_t Mesh<Policy>::EnterWalls(const Replacement& exchange, Workspace& wor
     {
       const Id neighbor = here.Neighbors[k];
       const bool isOuter = Policy::HasBoundary && neighbor == None;
-      if (!isOuter && work.Marks.Has(neighbor))
+      if (!isOuter && work.Old.Has(neighbor))
       {
         continue;
       }

@@ -3,6 +3,7 @@
 
 #include "Exact/FlippableMesh.h"
 #include "Mesh/CellSet.h"
+#include "Mesh/IdSet.h"
 #include "Mesh/RingTriangulation.h"
 #include "Refine/RefinableMesh.h"
 
@@ -481,6 +482,29 @@ TEST(CellSet, ListsEachCellOnceAndWhatWasUnmarkedUntilItStartsAgain)
   cells.Start(9);
   EXPECT_TRUE(cells.Cells().empty());
   EXPECT_FALSE(cells.Has(7));
+}
+
+TEST(IdSet, ListsEachIdOnceUntilItIsCleared)
+{
+  IdSet ids;
+  for (const bool isFirst : { true, false })
+  {
+    std::vector<Id> added;
+    for (Id k = 0; k < 1000; ++k) // more than there is room for at first
+    {
+      const Id id = isFirst ? 7919 * k : k * k;
+      EXPECT_FALSE(ids.Has(id));
+      ids.Add(id);
+      ids.Add(id);
+      added.push_back(id);
+    }
+    EXPECT_EQ(ids.Members(), added);
+    EXPECT_TRUE(std::all_of(added.begin(), added.end(), [&](Id id) { return ids.Has(id); }));
+    EXPECT_FALSE(ids.Has(isFirst ? 1 : 7919));
+    ids.Clear();
+    EXPECT_FALSE(ids.Has(0));
+    EXPECT_TRUE(ids.Members().empty());
+  }
 }
 
 TEST(PendingFaces, AreFoundByTheirCornersAndForgottenAtOnce)
