@@ -43,7 +43,7 @@ bool Cone::Make(
   this->Fresh.clear();
   this->OnWall.Clear();
   this->WallEdges.Start(MostEdgesPerCell * this->Old.Members().size());
-  this->SurfaceFaces.clear();
+  this->Facets.clear();
   const auto isWall = [&](const FlippableCell& cell, int at, int k)
   { return (at < 0 || at == k) && !this->Old.Has(cell.Neighbors[k]); };
   for (const Id id : this->Old.Members())
@@ -93,17 +93,9 @@ bool Cone::Make(
       {
         return false;
       }
-      this->SurfaceFaces.push_back({ a, b, cell.Facets[k] });
+      this->Facets.push_back({ { { centre, a, b } }, cell.Facets[k] });
     }
   }
   return true;
-}
-
-void Cone::MarkSurface(FlippableMesh& mesh, Id centre) const
-{
-  for (const SurfaceFace& face : this->SurfaceFaces)
-  {
-    mesh.MarkFace(centre, face.A, face.B, face.Facet);
-  }
 }
 } // namespace insideout

@@ -18,6 +18,7 @@ struct Cone
 {
   IdSet Old; ///< the cells that give way
   std::vector<Tetrahedron> Fresh;
+  std::vector<FreshFacet> Facets; ///< facets at the center, or None, of faces that stay
 
   /**
    * Make the new cells, and check whether every vertex, facet and segment stays. The center is the
@@ -31,22 +32,11 @@ struct Cone
    * Whether the center is a corner of a facet, or of a face of the hull, between the replaced
    * cells.
    */
-  bool HasSurface() const { return !this->SurfaceFaces.empty(); }
-
-  /** Mark the facets at the center again, once the new cells are in place. */
-  void MarkSurface(FlippableMesh& mesh, Id centre) const;
+  bool HasSurface() const { return !this->Facets.empty(); }
 
 private:
   bool Keeps(const Tetrahedron& cell, Id centre, const SegmentTable& segments) const;
 
-  /** A face between replaced cells that has the center as a corner: it stays. */
-  struct SurfaceFace
-  {
-    Id A;
-    Id B;
-    Id Facet;
-  };
-  std::vector<SurfaceFace> SurfaceFaces;
   IdSet OnWall; ///< vertices
   EdgeSet WallEdges;
 };

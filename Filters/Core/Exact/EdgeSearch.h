@@ -70,8 +70,12 @@ Id EdgeSearch::Find(const Mesh<Policy>& mesh, Id u, Id v)
       const auto& cell = mesh.Cell(this->Stars[side][next]);
       for (int k = 0; k < 4; ++k)
       {
+        if (cell.Corners[k] == ends[side])
+        {
+          continue;
+        }
         const Id neighbor = cell.Neighbors[k];
-        if (cell.Corners[k] == ends[side] || neighbor == None || this->Known.Has(neighbor))
+        if (neighbor == None || this->Known.Has(neighbor))
         {
           continue;
         }

@@ -273,7 +273,7 @@ void ExactVertices::RememberCoplanar(const Tetrahedron& cell) const
   this->EntryOf(names) = names;
 }
 
-int ExactVertices::OrientExactly(const Tetrahedron& cell) const
+int ExactVertices::OrientExactly(const Tetrahedron& cell, WorkBudget& work) const
 {
   std::array<Point, 4> places;
   std::array<Point, 4> beyond;
@@ -305,7 +305,7 @@ int ExactVertices::OrientExactly(const Tetrahedron& cell) const
   }
   if (sign == 0) // the limits of work count it as if exact numbers had found it
   {
-    this->Budget->Spend(WorkOfDoubleDoubles + WorkOfExactPredicate);
+    work.Spend(WorkOfDoubleDoubles + WorkOfExactPredicate);
     return 0;
   }
   Rows<DoubleDouble> longRows;
@@ -321,13 +321,13 @@ int ExactVertices::OrientExactly(const Tetrahedron& cell) const
           ErrorOfQuotient * (std::abs(beyond[row + 1][k]) + std::abs(beyond[0][k])));
     }
   }
-  this->Budget->Spend(WorkOfDoubleDoubles);
+  work.Spend(WorkOfDoubleDoubles);
   sign = SignOfDeterminant(longRows, DoubleDoubleEpsilon);
   if (sign != Undecided)
   {
     return sign;
   }
-  this->Budget->Spend(WorkOfExactPredicate); // whatever the cache holds
+  work.Spend(WorkOfExactPredicate); // whatever the cache holds
   if (this->AreKnownCoplanar(cell))
   {
     return 0;

@@ -52,7 +52,10 @@ public:
    * The sign of the volume of a tetrahedron, exactly; it is positive where a, b, c run
    * counter-clockwise seen from d.
    */
-  int Orient(Id a, Id b, Id c, Id d) const;
+  int Orient(Id a, Id b, Id c, Id d) const { return this->Orient(a, b, c, d, *this->Budget); }
+
+  /** The same, with the work counted elsewhere. */
+  int Orient(Id a, Id b, Id c, Id d, WorkBudget& work) const;
 
   /** A positive multiple of the volume: the product of the four weights w times it. */
   DyadicNumber Determinant(Id a, Id b, Id c, Id d) const;
@@ -72,6 +75,9 @@ public:
   Plane PlaneThrough(Id a, Id b, Id c, const Point& origin) const;
 
   bool IsDouble(Id vertex) const { return this->ExactOf[vertex] == None; }
+
+  /** Whether all vertices are doubles: then several threads may ask for signs. */
+  bool AreDoubles() const { return this->ExactPoints.empty(); }
 
   /** The doubles nearest to a vertex, up to a few units in the last place. */
   Point Nearest(Id vertex) const;
@@ -129,7 +135,7 @@ private:
   bool AreCollinear(const Triangle& three) const;
   void RememberCoplanar(const Tetrahedron& cell) const;
   bool AreInOnePlane(const Tetrahedron& cell) const;
-  int OrientExactly(const Tetrahedron& cell) const;
+  int OrientExactly(const Tetrahedron& cell, WorkBudget& work) const;
 
   std::vector<Point> Places;
   std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
@@ -162,13 +168,13 @@ void ExactVertices::ForgetExactly(const IsInUse& isInUse)
   this->ExactPoints = std::move(kept);
 }
 
-inline int ExactVertices::Orient(Id a, Id b, Id c, Id d) const
+inline int ExactVertices::Orient(Id a, Id b, Id c, Id d, WorkBudget& work) const
 {
-  this->Budget->Spend(1);
+  work.Spend(1);
   if ((this->ExactOf[a] & this->ExactOf[b] & this->ExactOf[c] & this->ExactOf[d]) == None)
   {
     return Orient3D(this->Places[a], this->Places[b], this->Places[c], this->Places[d]);
   }
-  return this->OrientExactly({ { a, b, c, d } });
+  return this->OrientExactly({ { a, b, c, d } }, work);
 }
 } // namespace insideout

@@ -5,19 +5,18 @@
 #include "Common/ParallelLoop.h"
 #include "Common/SortedTriangle.h"
 #include "Delaunay/DelaunayTetrahedra.h"
+#include "Exact/MeshReader.h"
 #include "Exact/Phases.h"
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <utility>
 
 namespace insideout
 {
 namespace
 {
-/** Cells visited in the time of one predicate. */
-constexpr std::int64_t CellsPerWork = 2;
-
 /** Cells visited in sequence in the time of one search for a face. */
 constexpr std::size_t CellsPerSearch = 20;
 } // namespace
@@ -52,11 +51,7 @@ FlippableMesh::FlippableMesh(
 
 void FlippableMesh::Star(Id vertex, std::vector<Id>& cells) const
 {
-  if (this->HasVertex(vertex))
-  {
-    Mesh::Star(vertex, cells, this->Own.Marks);
-    this->Work().Spend(static_cast<std::int64_t>(cells.size()) / CellsPerWork);
-  }
+  MeshReader(*this).Star(vertex, cells);
 }
 
 std::vector<Id> FlippableMesh::NeighborsOf(Id vertex) const
@@ -84,10 +79,7 @@ std::vector<Id> FlippableMesh::NeighborsOf(Id vertex) const
 
 Id FlippableMesh::FindEdge(Id u, Id v) const
 {
-  const std::int64_t before = this->OwnSearch.Steps();
-  const Id cell = this->OwnSearch.Find(*this, u, v);
-  this->Work().Spend(this->OwnSearch.Steps() - before);
-  return cell;
+  return MeshReader(*this).FindEdge(u, v);
 }
 
 std::vector<char> FlippableMesh::HasEdges(const std::vector<std::array<Id, 2>>& edges) const
@@ -198,13 +190,36 @@ void FlippableMesh::FindFacesInAllCells(
         }
       }
     });
-  this->Work().Spend(static_cast<std::int64_t>(this->Cells.size()) / CellsPerWork);
+  this->Work().Spend(static_cast<std::int64_t>(this->Cells.size()) / MeshReader::CellsPerWork);
 }
 
 void FlippableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh)
 {
+  this->Replace(old, fresh, {});
+}
+
+void FlippableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh,
+  const std::vector<FreshFacet>& facets, Workspace& work)
+{
   Mesh::Replace(
-    { old, fresh, {}, {} }, [](std::size_t, Id) { return HullPolicy::Content(); }, this->Own);
+    { old, fresh, {}, facets }, [](std::size_t, Id) { return HullPolicy::Content(); }, work);
+}
+
+std::vector<Id> FlippableMesh::AddDeadCells(std::size_t count)
+{
+  CheckNumber(this->Cells.size() + count);
+  FlippableCell dead = {};
+  dead.Corners[0] = None;
+  this->Cells.resize(this->Cells.size() + count, dead);
+  std::vector<Id> cells(count);
+  std::iota(cells.rbegin(), cells.rend(), this->NumberOfCells() - static_cast<Id>(count));
+  return cells;
+}
+
+void FlippableMesh::TakeOver(const std::vector<Id>& deadCells, std::int64_t changes)
+{
+  this->Own.FreeCells.insert(this->Own.FreeCells.end(), deadCells.begin(), deadCells.end());
+  this->Own.Changes = std::max(this->Own.Changes, changes);
 }
 
 void FlippableMesh::SplitCell(Id cell, Id vertex)
@@ -252,14 +267,7 @@ void FlippableMesh::MarkFace(Id a, Id b, Id c, Id facet)
 
 Id FlippableMesh::VertexOffPlane(Id a, Id b, Id c) const
 {
-  for (const Id vertex : this->Spanning)
-  {
-    if (this->AllVertices.Orient(a, b, c, vertex) != 0)
-    {
-      return vertex;
-    }
-  }
-  return None;
+  return MeshReader(*this).VertexOffPlane(a, b, c);
 }
 
 Id FlippableMesh::AddVertex(const Point& point)

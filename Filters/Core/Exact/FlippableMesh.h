@@ -67,6 +67,30 @@ public:
   /** Mesh::Replace, without other facets than before. */
   void Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh);
 
+  /** The same, with facets of faces of the fresh cells. */
+  void Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh,
+    const std::vector<FreshFacet>& facets)
+  {
+    this->Replace(old, fresh, facets, this->Own);
+  }
+
+  /**
+   * The same on one of several threads, each with cells and vertices that only it changes, and in
+   * its workspace the dead cells that its fresh ones replace. No journal may be kept.
+   */
+  void Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh,
+    const std::vector<FreshFacet>& facets, Workspace& work);
+
+  /**
+   * Add dead cells for a workspace.
+   * @return their ids, the first last
+   * @throws Error TooLarge
+   */
+  std::vector<Id> AddDeadCells(std::size_t count);
+
+  /** Take over a workspace's dead cells and its count of changes. */
+  void TakeOver(const std::vector<Id>& deadCells, std::int64_t changes);
+
   /** Connect a vertex that lies within a cell with its corners. */
   void SplitCell(Id cell, Id vertex);
 
@@ -103,6 +127,8 @@ public:
   /** Start a journal, with which GoBack restores the present mesh. */
   void StartJournal();
 
+  bool HasJournal() const { return this->Own.Past.IsKept; }
+
   /** End the journal and keep the mesh. */
   void EndJournal();
 
@@ -123,6 +149,8 @@ public:
   CellMarks& Marks() const { return this->Own.Marks; }
 
 private:
+  friend class MeshReader;
+
   void FindFacesOneByOne(
     const std::vector<Triangle>& triangles, std::vector<MeshFace>& faces) const;
   void FindFacesInAllCells(

@@ -96,9 +96,8 @@ bool MovePoint(ExactState& state, Id point, const Point& place)
   mesh.RemoveLastVertex();
   if (canMove)
   {
-    mesh.Replace(cone.Old.Members(), cone.Fresh);
+    mesh.Replace(cone.Old.Members(), cone.Fresh, cone.Facets);
     mesh.MoveVertex(point, place);
-    cone.MarkSurface(mesh, point);
   }
   return canMove;
 }

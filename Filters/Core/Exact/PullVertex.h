@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Exact/ExactState.h"
+#include "Exact/MeshReader.h"
 
 #include <cstddef>
 #include <limits>
@@ -22,4 +23,15 @@ namespace insideout
  */
 bool PullVertex(ExactState& state, Id apex, Id other,
   std::size_t mostCells = std::numeric_limits<std::size_t>::max());
+
+enum class Pull
+{
+  Made,
+  Obstructed, ///< by a constraint
+  Beyond      ///< the cone has cells that the reader does not hold
+};
+
+/** Find the cone that PullVertex puts in place. */
+Pull MakePull(const MeshReader& mesh, const SegmentTable& segments, Id apex, Id other,
+  std::size_t mostCells, EdgeRing& ring, Cone& cone);
 } // namespace insideout

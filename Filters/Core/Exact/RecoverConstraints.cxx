@@ -2,7 +2,9 @@
 #include "Exact/RecoverConstraints.h"
 
 #include "Exact/Phases.h"
+#include "Exact/PullSegments.h"
 #include "Exact/RecoverFacets.h"
+#include "Exact/RecoverSegments.h"
 #include "Exact/RoundPoints.h"
 #include "Exact/SteinerPoints.h"
 

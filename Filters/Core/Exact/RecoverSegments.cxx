@@ -45,31 +45,6 @@ std::vector<Id> FindMissingSegments(const ExactState& state, const std::vector<I
   return missing;
 }
 
-// --- Pulls ---------------------------------------------------------------------------------------
-
-std::vector<Id> RecoverSegmentsByPulls(ExactState& state, const std::vector<Id>& missing)
-{
-  const FlippableMesh& mesh = state.Mesh;
-  const std::int64_t begin = mesh.NumberOfChanges();
-  for (std::size_t k = 0; k < missing.size() && !mesh.Work().IsUsedUp(); ++k)
-  {
-    if (k % SegmentsPerCheck == 0)
-    {
-      state.Report(Phases::RecoveringSegments);
-    }
-    const std::array<Id, 2>& ends = state.Segments.EndsOf(missing[k]);
-    // What other pulls make appear has changed cells around both ends.
-    const bool mayBeThere =
-      mesh.LastChangeAround(ends[0]) > begin && mesh.LastChangeAround(ends[1]) > begin;
-    const bool isMissing = !mayBeThere || mesh.FindEdge(ends[0], ends[1]) == None;
-    if (isMissing && !PullVertex(state, ends[0], ends[1]))
-    {
-      PullVertex(state, ends[1], ends[0]);
-    }
-  }
-  return FindMissingSegments(state, missing);
-}
-
 // --- Flips ---------------------------------------------------------------------------------------
 
 namespace

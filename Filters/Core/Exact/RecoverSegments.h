@@ -10,9 +10,6 @@ namespace insideout
 /** The segments without Steiner points that are no edges. */
 std::vector<Id> FindMissingSegments(const ExactState& state, const std::vector<Id>& segments);
 
-/** Recover segments by pulling one of their ends, or else the other. */
-std::vector<Id> RecoverSegmentsByPulls(ExactState& state, const std::vector<Id>& missing);
-
 /** Recover segments by flips alone. */
 std::vector<Id> RecoverSegmentsByFlips(ExactState& state, const std::vector<Id>& missing);
 

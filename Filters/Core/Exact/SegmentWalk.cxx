@@ -38,25 +38,25 @@ struct Cone
   int Outside;              ///< the first k with a negative side, -1 if b is within
 };
 
-Cone ConeTowards(const FlippableMesh& mesh, Id a, Id b, Id cell)
+Cone ConeTowards(const MeshReader& mesh, Id a, Id b, Id cell)
 {
-  Cone cone = { mesh.FaceCorners(cell, mesh.CornerIndex(cell, a)), {}, -1 };
+  Cone cone = { mesh->FaceCorners(cell, mesh->CornerIndex(cell, a)), {}, -1 };
   for (int k = 0; k < 3 && cone.Outside < 0; ++k)
   {
-    cone.Sides[k] = -mesh.Vertices().Orient(a, cone.Link[k], cone.Link[(k + 1) % 3], b);
+    cone.Sides[k] = -mesh.Orient(a, cone.Link[k], cone.Link[(k + 1) % 3], b);
     cone.Outside = cone.Sides[k] < 0 ? k : -1;
   }
   return cone;
 }
 
 /** The crossing at which the segment from a leaves the cell whose cone contains it. */
-Crossing WayOut(const FlippableMesh& mesh, Id a, Id cell, const Cone& cone)
+Crossing WayOut(const MeshReader& mesh, Id a, Id cell, const Cone& cone)
 {
   const std::array<int, 3>& sides = cone.Sides;
   const auto zeros = std::count(sides.begin(), sides.end(), 0);
   if (zeros == 0)
   {
-    return Face(cell, mesh.CornerIndex(cell, a));
+    return Face(cell, mesh->CornerIndex(cell, a));
   }
   if (zeros > 1)
   {
@@ -68,17 +68,17 @@ Crossing WayOut(const FlippableMesh& mesh, Id a, Id cell, const Cone& cone)
 }
 
 /** The cell around a whose cone contains b. */
-Crossing SearchStar(const FlippableMesh& mesh, Id a, Id b)
+Crossing SearchStar(const MeshReader& mesh, Id a, Id b)
 {
   std::vector<Id> star;
   mesh.Star(a, star);
   for (const Id cell : star)
   {
-    if (mesh.Has(cell, b))
+    if (mesh->Has(cell, b))
     {
       return End(cell);
     }
-    if (mesh.IsInfinite(cell))
+    if (mesh->IsInfinite(cell))
     {
       continue;
     }
@@ -91,25 +91,25 @@ Crossing SearchStar(const FlippableMesh& mesh, Id a, Id b)
   return Vertex(star.empty() ? None : star[0]);
 }
 
-Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)
+Crossing AfterFace(const MeshReader& mesh, Id a, Id b, const Crossing& crossing)
 {
-  const FlippableCell& before = mesh.Cell(crossing.Cell);
+  const FlippableCell& before = mesh->Cell(crossing.Cell);
   const Id cell = before.Neighbors[crossing.Face];
-  if (mesh.Has(cell, b))
+  if (mesh->Has(cell, b))
   {
     return End(cell);
   }
-  const Id apex = mesh.Opposite(crossing.Cell, crossing.Face);
-  if (apex == mesh.Infinite())
+  const Id apex = mesh->Opposite(crossing.Cell, crossing.Face);
+  if (apex == mesh->Infinite())
   {
     return Vertex(cell);
   }
-  const Triangle f = mesh.FaceCorners(crossing.Cell, crossing.Face);
-  const int turn = mesh.Vertices().Orient(a, b, f[0], f[1]);
+  const Triangle f = mesh->FaceCorners(crossing.Cell, crossing.Face);
+  const int turn = mesh.Orient(a, b, f[0], f[1]);
   std::array<int, 3> s;
   for (int k = 0; k < 3; ++k)
   {
-    s[k] = turn * mesh.Vertices().Orient(a, b, f[k], apex);
+    s[k] = turn * mesh.Orient(a, b, f[k], apex);
   }
   for (int k = 0; k < 3; ++k)
   {
@@ -119,7 +119,7 @@ Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
     }
     if (s[k] < 0 && s[(k + 1) % 3] > 0)
     {
-      return Face(cell, mesh.CornerIndex(cell, f[(k + 2) % 3]));
+      return Face(cell, mesh->CornerIndex(cell, f[(k + 2) % 3]));
     }
   }
   return Vertex(cell);
@@ -128,22 +128,22 @@ Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
 /**
  * Beyond the edge uv the segment lies in the face (u, v, p) of `cell`, whose fourth corner is q.
  */
-Crossing WithinFace(const FlippableMesh& mesh, Id a, Id b, Id cell, Id u, Id v, Id p, Id q)
+Crossing WithinFace(const MeshReader& mesh, Id a, Id b, Id cell, Id u, Id v, Id p, Id q)
 {
-  const int atP = mesh.Vertices().Orient(a, b, p, q);
+  const int atP = mesh.Orient(a, b, p, q);
   if (atP == 0)
   {
     return Vertex(cell);
   }
-  return Edge(cell, atP == mesh.Vertices().Orient(a, b, u, q) ? v : u, p);
+  return Edge(cell, atP == mesh.Orient(a, b, u, q) ? v : u, p);
 }
 
-Crossing AfterEdge(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)
+Crossing AfterEdge(const MeshReader& mesh, Id a, Id b, const Crossing& crossing)
 {
   const Id u = crossing.U;
   const Id v = crossing.V;
   EdgeRing ring;
-  mesh.Ring(u, v, crossing.Cell, ring);
+  mesh->Ring(u, v, crossing.Cell, ring);
   const std::size_t n = ring.Points.size();
   for (std::size_t k = 0; k < n; ++k)
   {
@@ -157,21 +157,20 @@ Crossing AfterEdge(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
     const Id p = ring.Points[k];
     const Id q = ring.Points[(k + 1) % n];
     const Id cell = ring.Cells[k];
-    if (p == mesh.Infinite() || q == mesh.Infinite())
+    if (p == mesh->Infinite() || q == mesh->Infinite())
     {
       continue;
     }
-    const int fromP = mesh.Vertices().Orient(u, v, p, b);
-    const int toQ = mesh.Vertices().Orient(u, v, b, q);
+    const int fromP = mesh.Orient(u, v, p, b);
+    const int toQ = mesh.Orient(u, v, b, q);
     if (fromP > 0 && toQ > 0)
     {
-      const int across = mesh.Vertices().Orient(a, b, p, q);
+      const int across = mesh.Orient(a, b, p, q);
       if (across == 0)
       {
         return Edge(cell, p, q);
       }
-      return Face(
-        cell, mesh.CornerIndex(cell, across == mesh.Vertices().Orient(a, b, u, p) ? v : u));
+      return Face(cell, mesh->CornerIndex(cell, across == mesh.Orient(a, b, u, p) ? v : u));
     }
     if (fromP == 0 && toQ > 0)
     {
@@ -186,17 +185,17 @@ Crossing AfterEdge(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
 }
 } // namespace
 
-Crossing FirstCrossing(const FlippableMesh& mesh, Id a, Id b)
+Crossing FirstCrossing(const MeshReader& mesh, Id a, Id b)
 {
-  Id cell = mesh.CellAt(a);
-  if (cell != None && mesh.IsInfinite(cell))
+  Id cell = mesh->CellAt(a);
+  if (cell != None && mesh->IsInfinite(cell))
   {
-    cell = mesh.Cell(cell).Neighbors[mesh.CornerIndex(cell, mesh.Infinite())];
+    cell = mesh->Cell(cell).Neighbors[mesh->CornerIndex(cell, mesh->Infinite())];
   }
   // Walk around a, from cell to cell across a side that b is beyond. The walk may be cyclic.
-  for (int step = 0; step < StepsInStar && cell != None && !mesh.IsInfinite(cell); ++step)
+  for (int step = 0; step < StepsInStar && cell != None && !mesh->IsInfinite(cell); ++step)
   {
-    if (mesh.Has(cell, b))
+    if (mesh->Has(cell, b))
     {
       return End(cell);
     }
@@ -206,12 +205,12 @@ Crossing FirstCrossing(const FlippableMesh& mesh, Id a, Id b)
       return WayOut(mesh, a, cell, cone);
     }
     const Id off = cone.Link[(cone.Outside + 2) % 3];
-    cell = mesh.Cell(cell).Neighbors[mesh.CornerIndex(cell, off)];
+    cell = mesh->Cell(cell).Neighbors[mesh->CornerIndex(cell, off)];
   }
   return SearchStar(mesh, a, b);
 }
 
-Crossing NextCrossing(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)
+Crossing NextCrossing(const MeshReader& mesh, Id a, Id b, const Crossing& crossing)
 {
   return crossing.Kind == Crossing::ThroughFace ? AfterFace(mesh, a, b, crossing)
                                                 : AfterEdge(mesh, a, b, crossing);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Exact/FlippableMesh.h"
+#include "Exact/MeshReader.h"
 
 namespace insideout
 {
@@ -22,8 +22,8 @@ struct Crossing
 };
 
 /** The first face, edge or vertex that the segment from a to b crosses. */
-Crossing FirstCrossing(const FlippableMesh& mesh, Id a, Id b);
+Crossing FirstCrossing(const MeshReader& mesh, Id a, Id b);
 
 /** The next one that it crosses after a face or an edge. */
-Crossing NextCrossing(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing);
+Crossing NextCrossing(const MeshReader& mesh, Id a, Id b, const Crossing& crossing);
 } // namespace insideout

@@ -23,6 +23,8 @@ public:
 
   std::int64_t Spent() const { return this->Done; }
 
+  std::int64_t Left() const { return this->Most - this->Done; }
+
   bool IsUsedUp() const { return this->Done > this->Most; }
 
 private:

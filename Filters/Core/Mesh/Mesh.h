@@ -279,9 +279,12 @@ void Mesh<Policy>::Star(Id vertex, std::vector<Id>& cells, CellMarks& marks) con
     const CellType& cell = this->Cells[cells[next]];
     for (int k = 0; k < 4; ++k)
     {
+      if (cell.Corners[k] == vertex)
+      {
+        continue;
+      }
       const Id neighbor = cell.Neighbors[k];
-      if (cell.Corners[k] != vertex && (!Policy::HasBoundary || neighbor != None) &&
-        !marks.Has(neighbor))
+      if ((!Policy::HasBoundary || neighbor != None) && !marks.Has(neighbor))
       {
         marks.Add(neighbor);
         cells.push_back(neighbor);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverSegments.h"
 
+#include "Exact/PullSegments.h"
 #include "Exact/SegmentWalk.h"
 #include "Support/ExactReference.h"
 #include "Support/FlippableMeshLaws.h"
