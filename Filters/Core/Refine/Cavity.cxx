@@ -45,18 +45,20 @@ void Cavity::Grow(std::size_t most)
 
 bool Cavity::KeepsItsPoints() const
 {
-  std::vector<Id> corners;
+  this->OnWalls.Start(this->Mesh.NextPoint());
   for (const Triangle& wall : this->Walls)
   {
-    corners.insert(corners.end(), wall.begin(), wall.end());
+    for (const Id corner : wall)
+    {
+      this->OnWalls.Add(corner);
+    }
   }
-  std::sort(corners.begin(), corners.end());
   return std::all_of(this->Cells().begin(), this->Cells().end(),
     [&](Id cell)
     {
       const Tetrahedron& t = this->Mesh.Cell(cell).Corners;
-      return std::all_of(t.begin(), t.end(),
-        [&](Id corner) { return std::binary_search(corners.begin(), corners.end(), corner); });
+      return std::all_of(
+        t.begin(), t.end(), [this](Id corner) { return this->OnWalls.Has(corner); });
     });
 }
 

@@ -64,6 +64,7 @@ public:
 private:
   const RefinableMesh& Mesh;
   CellSet Old;
+  mutable CellMarks OnWalls; ///< of points, scratch
 };
 
 double SquaredDistance(const Point& a, const Point& b);

@@ -236,8 +236,12 @@ void RefinableSurface::RemoveRidge(Id u, Id v)
 
 bool RefinableSurface::IsLocked(Id u, Id v) const
 {
+  if (this->How == SurfaceTreatment::Kept)
+  {
+    return true;
+  }
   const auto found = this->Ridges.find(EdgeBetween(u, v));
-  return this->How == SurfaceTreatment::Kept || (found != this->Ridges.end() && found->second);
+  return found != this->Ridges.end() && found->second;
 }
 
 void RefinableSurface::Split(Id u, Id v, Id middle)
