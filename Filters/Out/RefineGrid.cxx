@@ -509,8 +509,8 @@ bool IsFitter(const SolverFitness& cells, const SolverFitness& others)
 std::string WordsOfTreatment(
   const Refinement& kept, const std::string& treatment, const Refinement& treated)
 {
-  const std::string flat = kept.Fitness.FlatCells > 0
-    ? ", or lose half its digits at " + std::to_string(kept.Fitness.FlatCells) + ","
+  const std::string flat = kept.Fitness.NearlyFlatCells > 0
+    ? ", or lose half its digits at " + std::to_string(kept.Fitness.NearlyFlatCells) + ","
     : "";
   return "a solver would refuse " + std::to_string(kept.Fitness.RefusedCells) + flat + " of " +
     std::to_string(kept.Fitness.Cells) + " cells where the surface is kept" + treatment + " " +

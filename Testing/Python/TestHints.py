@@ -6,6 +6,9 @@ import unittest
 import insideout
 import surfaces
 from command import CommandLine, run_here
+from insideout.data import as_type
+from insideout.hints import hints_for_printing
+from insideout.options import Options
 
 
 def notes(*arguments: str) -> list[str]:
@@ -24,6 +27,11 @@ class TestHints(CommandLine):
             self.assertEqual(notes("repair", touching, fixed, *options), [said], options)
         self.assertEqual(notes("repair", touching, self.path("fixed.obj"), "--non-manifold", "split"), [good])
         self.assertEqual(surfaces.count_not_manifold(surfaces.triangles_of(insideout.resolve(fixed).surface)), (0, 0))
+
+    def test_an_open_surface_is_not_said_to_have_two_triangles_at_each_edge(self):
+        for triangles in (surfaces.triangles_of(surfaces.box())[1:].tolist(), []):
+            surface = as_type(insideout.TriangleSurface, surfaces.polydata(surfaces.points_of(surfaces.box()), triangles))
+            self.assertEqual(hints_for_printing(surface, "open.ply", Options()), ["the surface has open edges"])
 
 
 if __name__ == "__main__":

@@ -31,7 +31,11 @@ enum class Pull
   Beyond      ///< the cone has cells that the reader does not hold
 };
 
-/** Find the cone that PullVertex puts in place. */
+/**
+ * Find the cone that PullVertex puts in place. The mesh stays as it is.
+ * @param[out] ring scratch
+ * @param[out] cone complete if the result is Made
+ */
 Pull MakePull(const MeshReader& mesh, const SegmentTable& segments, Id apex, Id other,
   std::size_t mostCells, EdgeRing& ring, Cone& cone);
 } // namespace insideout

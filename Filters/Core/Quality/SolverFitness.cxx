@@ -32,7 +32,7 @@ enum class Fitness : std::uint8_t
 {
   Good,
   Poor,
-  Flat,
+  NearlyFlat,
   Refused,
   TooSmall
 };
@@ -178,7 +178,9 @@ Fitness FitnessOf(
   {
     return FitnessOfJacobian(jacobian, angle < FlatAngle);
   }
-  return angle < FlatAngle ? Fitness::Flat : angle < PoorAngle ? Fitness::Poor : Fitness::Good;
+  return angle < FlatAngle ? Fitness::NearlyFlat
+    : angle < PoorAngle    ? Fitness::Poor
+                           : Fitness::Good;
 }
 
 /** Whether a triangle is so thin that any cell on it is poor. */
@@ -319,8 +321,8 @@ SolverFitness FitnessForSolver(const std::vector<Point>& points,
   fitness.Cells = static_cast<Id>(found.size());
   fitness.TooSmallCells = count(Fitness::TooSmall);
   fitness.RefusedCells = count(Fitness::Refused) + fitness.TooSmallCells;
-  fitness.FlatCells = count(Fitness::Flat);
-  fitness.PoorCells = count(Fitness::Poor) + fitness.FlatCells;
+  fitness.NearlyFlatCells = count(Fitness::NearlyFlat);
+  fitness.PoorCells = count(Fitness::Poor) + fitness.NearlyFlatCells;
   if (!fitness.IsGood())
   {
     const NeedleFinder needles(points, cells, regions);
@@ -353,9 +355,9 @@ std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done, boo
       ? ", and suffers from " + std::to_string(fitness.PoorCells) + " more" + poor
       : "";
   }
-  words += fitness.FlatCells > 0
-    ? ", and loses half its digits at " + std::to_string(fitness.FlatCells) + " nearly flat ones"
-    : "";
+  words += fitness.NearlyFlatCells > 0 ? ", and loses half its digits at " +
+      std::to_string(fitness.NearlyFlatCells) + " nearly flat ones"
+                                       : "";
   return words + ": " + AdviceFor(fitness, done, mayRemesh);
 }
 

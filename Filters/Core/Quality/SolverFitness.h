@@ -35,7 +35,7 @@ struct SolverFitness
   Id PoorCells = 0;
 
   /** Poor cells with an angle whose sine is below FlatSine. */
-  Id FlatCells = 0;
+  Id NearlyFlatCells = 0;
 
   /**
    * Refused and poor cells with a face on the boundary or between regions that is a needle itself:
@@ -47,7 +47,7 @@ struct SolverFitness
   Id RefusedOnNeedles = 0;
 
   /** Cells that make a solution impossible, or wrong in any unit. */
-  Id UnfitCells() const { return this->RefusedCells + this->FlatCells; }
+  Id UnfitCells() const { return this->RefusedCells + this->NearlyFlatCells; }
 
   bool IsGood() const { return this->RefusedCells == 0 && this->PoorCells == 0; }
 };

@@ -130,13 +130,13 @@ TEST(SolverFitness, CountsNearlyFlatCellsInAnyUnit)
   for (const double unit : { 1e3, 1.0, 1e-2 })
   {
     const SolverFitness flat = fitnessOf(1e-13, unit);
-    EXPECT_EQ(flat.FlatCells, 1);
+    EXPECT_EQ(flat.NearlyFlatCells, 1);
     EXPECT_EQ(flat.PoorCells, 1);
     EXPECT_EQ(flat.UnfitCells(), 1);
     EXPECT_NE(
       WordsOfFitness(flat, CellTreatment::None).find("half its digits at 1 "), std::string::npos);
-    EXPECT_EQ(fitnessOf(1e-9, unit).FlatCells, 1);
-    EXPECT_EQ(fitnessOf(1e-7, unit).FlatCells, 0);
+    EXPECT_EQ(fitnessOf(1e-9, unit).NearlyFlatCells, 1);
+    EXPECT_EQ(fitnessOf(1e-7, unit).NearlyFlatCells, 0);
   }
   const SolverFitness refused = fitnessOf(1e-13, 1e-7);
   EXPECT_EQ(refused.RefusedCells, 1);

@@ -179,7 +179,7 @@ TEST(MendRefusedCells, CellsGetThickerThatASolverAcceptsButWithoutDigits)
   {
     return FitnessForSolver(
       mesh.Points, mesh.Cells, {}, {}, {}, monitor, { Stages::Refining, 0, 1 })
-      .FlatCells;
+      .NearlyFlatCells;
   };
   EXPECT_EQ(flat(kept), 1);
   const RefinedMesh mended = Refined(block, true);
