@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkBoundaryLayers
- * @brief   layers of prisms at the walls of a solid, for flow
+ * @brief   layers of prisms, or of quads in a plane, at the walls of a solid, for flow
  *
  * Takes a conforming grid of tetrahedra, as vtkRobustTetrahedralize and vtkRefineTetrahedra make
  * it, and the triangles of its boundary. Puts layers of prisms behind the wall, the triangles with
@@ -22,6 +22,12 @@
  * The layers cross neither each other nor the wall. The same input gives the same output, on any
  * number of threads.
  *
+ * In a plane: takes triangles, as vtkRobustTriangulate makes them, and the polylines of their
+ * boundary, with the triangles on their left. Layers are of quads, and of triangles where they end;
+ * they continue along straight parts of the boundary, and end at lines within the solid that
+ * FacetIds gives. The triangles behind are made anew around the input's points that are not close
+ * to the layers.
+ *
  * Output: vtkTetra, then vtkPyramid, then vtkWedge. The cell array Layer counts from 1 at the wall;
  * it is 0 behind the layers. Other cell data are those of the input's cell at the same place, but
  * without FacetIds and FacetMultiplicity, which have a value for each face of a tetrahedron. Point
@@ -32,16 +38,18 @@
  * is narrower than three times the layers, EndPoints where no direction leads inward, as above.
  * FullHeightShare is the share of the wall with full height at all three points,
  * MeanHeightShare the mean height over the requested one. The quality of cells is that of the
- * tetrahedra behind. A warning gives the share of the wall with full height, unless it is 1.
+ * tetrahedra behind. A warning gives the share of the wall with full height, unless it is 1. In a
+ * plane the cells are vtkTriangle, then vtkQuad, and Statistics has Quads, LayerTriangles and
+ * WallEdges.
  *
  * The second output is the boundary of the grid with layers, if the second input is given: its
- * triangles, and each quad as two triangles, with the data of a triangle of the same part.
- * vtkSolidWriter writes quads.
+ * triangles, and each quad as two triangles, with the data of a triangle of the same part; in a
+ * plane its polylines. vtkSolidWriter writes quads.
  *
- * Errors name the culprit (an unknown tag, a cell other than a linear tetrahedron, a triangle that
- * is no face), and leave the outputs empty.
+ * Errors name the culprit (an unknown tag, a cell other than a linear tetrahedron or triangle, a
+ * triangle that is no face), and leave the outputs empty.
  *
- * @sa vtkRefineTetrahedra
+ * @sa vtkRefineTetrahedra vtkRobustTriangulate
  */
 #ifndef vtkBoundaryLayers_h
 #define vtkBoundaryLayers_h
@@ -64,7 +72,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Number of layers of prisms at the wall. Default 3. Range 1 to 1000. */
+  /** Number of layers of prisms, in a plane of quads, at the wall. Default 3. Range 1 to 1000. */
   vtkInsideOutSetRangeMacro(Layers, int, 1, 1000);
   vtkGetMacro(Layers, int);
   ///@}

@@ -5,28 +5,23 @@
 #include "Common/SortUniquely.h"
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
-#include "Data/Attributes.h"
 #include "GraphCut/ConnectCells.h"
 #include "In/ReadSolid.h"
 #include "Out/BoundaryWithLayers.h"
+#include "Out/MakeLayersInPlane.h"
 #include "Out/MakeOutputs.h"
 #include "Out/MixInCells.h"
+#include "Out/TransferLayers.h"
 #include "Quality/QualityOfMesh.h"
 #include "Quality/SolverFitness.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkFieldData.h>
-#include <vtkIntArray.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace vtkInsideOut
 {
@@ -34,32 +29,6 @@ using namespace insideout;
 
 namespace
 {
-/** Whether each tag of a solid is of the wall. @throws Error that names a tag which is not there */
-std::vector<bool> WallTags(const SolidMesh& solid, const std::vector<std::string>& tags)
-{
-  std::vector<bool> isWall(solid.Tags.size(), tags.empty());
-  for (const std::string& tag : tags)
-  {
-    bool isThere = false;
-    std::string all;
-    for (std::size_t t = 0; t < solid.Tags.size(); ++t)
-    {
-      all += (t > 0 ? ", " : "") + solid.Tags[t].Name;
-      if (solid.Tags[t].Name == tag)
-      {
-        isWall[t] = true;
-        isThere = true;
-      }
-    }
-    if (!isThere)
-    {
-      throw Error(ErrorCode::InvalidParameter,
-        "LayerTags names " + tag + ", which is not a tag of the boundary; its tags are " + all);
-    }
-  }
-  return isWall;
-}
-
 /** The faces of a solid in a mesh whose cells may be turned, 4 * cell + face. */
 std::vector<Id> FacesIn(const TetrahedralMesh& mesh, const SolidMesh& solid)
 {
@@ -85,19 +54,6 @@ std::vector<std::array<Id, 4>> TagsOfFaces(
   return tags;
 }
 
-template <std::size_t Size>
-void AddCells(const std::vector<std::array<Id, Size>>& cells, int type, vtkCellArray* output,
-  vtkUnsignedCharArray* types)
-{
-  for (const auto& cell : cells)
-  {
-    std::array<vtkIdType, Size> ids;
-    std::copy(cell.begin(), cell.end(), ids.begin());
-    output->InsertNextCell(static_cast<vtkIdType>(Size), ids.data());
-    types->InsertNextValue(static_cast<unsigned char>(type));
-  }
-}
-
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const LayeredMesh& mesh)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -109,31 +65,6 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const LayeredMesh& mesh)
   grid->SetPoints(MakePoints(mesh.Points));
   grid->SetCells(types, cells);
   return grid;
-}
-
-std::string WordsOfHeights(const Statistics& statistics)
-{
-  std::ostringstream words;
-  const auto valueOf = [&](const std::string& wanted)
-  {
-    const auto found = std::find_if(
-      statistics.begin(), statistics.end(), [&](const auto& one) { return one.first == wanted; });
-    return found->second;
-  };
-  const double share = valueOf("FullHeightShare");
-  words << std::floor(1000 * share) / 10 << " % of the wall have layers of full height; "
-        << std::setprecision(9) << valueOf("ReducedPoints") << " of its " << valueOf("WallPoints")
-        << " points have lower ones, and " << valueOf("BarePoints") << " have none";
-  if (valueOf("NarrowPoints") > 0)
-  {
-    words << "; at " << valueOf("NarrowPoints")
-          << " points the solid is narrower than three times the layers";
-  }
-  if (valueOf("EndPoints") > 0)
-  {
-    words << "; at " << valueOf("EndPoints") << " points no direction leads inward";
-  }
-  return share < 1 ? words.str() : std::string();
 }
 } // namespace
 
@@ -161,6 +92,12 @@ Layering MakeLayers(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
       "the boundary, which is the second input, has no triangles; without it layers are made at "
       "all faces of one cell");
   }
+  if (grid->GetCellType(0) == VTK_TRIANGLE)
+  {
+    Layering flat = MakeLayersInPlane(grid, boundary, tags, parameters, monitor);
+    flat.Statistics.emplace_back("SecondsLayers", stopwatch.Lap());
+    return flat;
+  }
   const SolidMesh solid = ReadSolid(grid, boundary);
   if (!solid.Midpoints.empty())
   {
@@ -175,7 +112,12 @@ Layering MakeLayers(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const TetrahedralMesh mesh = ConnectCells(solid.Points, solid.Cells);
   Layering result;
   const std::vector<Id> faces = FacesIn(mesh, solid);
-  const std::vector<bool> isWall = WallTags(solid, tags);
+  std::vector<std::string> names;
+  for (const SolidGroup& tag : solid.Tags)
+  {
+    names.push_back(tag.Name);
+  }
+  const std::vector<bool> isWall = WallTags(names, tags);
   std::vector<char> isLayered(faces.size(), 0);
   std::vector<Id> wall;
   std::size_t between = 0;
@@ -200,17 +142,8 @@ Layering MakeLayers(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   result.Grid = MakeGrid(made);
   result.Boundary = boundary ? BoundaryWithLayers(boundary, { mesh, faces, isLayered, made })
                              : vtkSmartPointer<vtkPolyData>::New();
-  Attributes::MixPointData(grid,
-    MixInCells(mesh, made.Points, made.OriginalPoints, made.CellsOfPoints), {},
-    result.Grid->GetPointData(), result.Warnings);
-  vtkCellData* cellData = result.Grid->GetCellData();
-  Attributes::CopyCellData(grid, made.OriginalCells, cellData, result.Warnings);
-  cellData->RemoveArray("FacetIds");
-  cellData->RemoveArray("FacetMultiplicity");
-  Attributes::RenameArrays(cellData, Attributes::AreMadeHere(grid), { "Layer" }, result.Warnings);
-  cellData->AddArray(
-    MakeArray<vtkIntArray>("Layer", std::vector<int>(made.Layers.begin(), made.Layers.end())));
-  result.Grid->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  TransferLayers(grid, MixInCells(mesh, made.Points, made.OriginalPoints, made.CellsOfPoints),
+    made.OriginalCells, made.Layers, result);
   result.Statistics = made.Statistics;
   const ProgressRange end = { Stages::Layering, 1, 1 };
   const std::vector<Tetrahedron> behind(made.Tetrahedra.begin(),
@@ -218,10 +151,7 @@ Layering MakeLayers(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   AppendQuality(QualityOfMesh(made.Points, behind, monitor, end), result.Statistics);
   AppendFitness(
     FitnessForSolver(made.Points, made.Tetrahedra, {}, made, {}, monitor, end), result.Statistics);
-  if (const std::string words = WordsOfHeights(made.Statistics); !words.empty())
-  {
-    result.Warnings.push_back(words);
-  }
+  WarnOfHeights(result);
   result.Statistics.emplace_back("SecondsLayers", stopwatch.Lap());
   return result;
 }

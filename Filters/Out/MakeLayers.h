@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** @file Makes boundary layers in a grid of tetrahedra and transfers its data. */
+/** @file Makes boundary layers in a grid of tetrahedra or triangles and transfers its data. */
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Common/Statistics.h"
 #include "Data/VtkClasses.h"
-#include "Layers/BoundaryLayers.h"
+#include "Layers/LayerParameters.h"
 
 #include <vtkSmartPointer.h>
 
@@ -25,7 +26,7 @@ struct Layering
 /**
  * Make the output that vtkBoundaryLayers describes.
  *
- * @param[in] boundary null: the faces of one cell, without tags
+ * @param[in] boundary null: the faces of one cell, without tags; in a plane the edges
  * @param[in] tags of the wall; empty: all of the boundary is
  * @throws insideout::Error that names the culprit; Stopped
  */

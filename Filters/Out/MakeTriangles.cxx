@@ -6,6 +6,7 @@
 #include "Data/StatisticsArrays.h"
 #include "In/ReadSurface.h"
 #include "Out/MakeOutputs.h"
+#include "Out/MixInCells.h"
 
 #include "Common/SortUniquely.h"
 #include "Common/Stages.h"
@@ -400,26 +401,6 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeLabelledGrid(
   return grid;
 }
 
-/** The weights of a triangle's corners at a place in it, all at least 0, however thin it is. */
-Attributes::Mixture MixtureOf(
-  const PlanarHull& hull, const insideout::Triangle& cell, const insideout::PlanarPoint& place)
-{
-  Attributes::Mixture mixture{ { { cell[0], cell[1], cell[2], cell[2] } }, {}, true };
-  double sum = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const auto& [from, to] = insideout::EdgeOf(cell, (k + 1) % 3);
-    mixture.Weights[k] = std::max(0.0,
-      AreaOf(hull.Curve.Points[from], hull.Curve.Points[to], place, insideout::PlanarMetric()));
-    sum += mixture.Weights[k];
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    mixture.Weights[k] = sum > 0 ? mixture.Weights[k] / sum : 1.0 / 3;
-  }
-  return mixture;
-}
-
 /** The refined inside cells with their properties.
  * @param[in] w one value per refined cell */
 RefinedHull HullOf(const insideout::RefinedTriangles& refined, const PlanarHull& hull,
@@ -436,7 +417,8 @@ RefinedHull HullOf(const insideout::RefinedTriangles& refined, const PlanarHull&
   {
     const Id original = refined.OriginalPoints[p];
     result.Mixtures.push_back(original == None
-        ? MixtureOf(hull, hull.Mesh.Cells[refined.CellsOfPoints[p]], refined.Curve.Points[p])
+        ? MixInTriangle(
+            hull.Curve.Points, hull.Mesh.Cells[refined.CellsOfPoints[p]], refined.Curve.Points[p])
         : Attributes::Mixture{
             { { original, original, original, original } }, { { 1, 0, 0, 0 } }, false });
   }

@@ -53,4 +53,22 @@ std::vector<Attributes::Mixture> MixInCells(const TetrahedralMesh& mesh,
   }
   return mixtures;
 }
+
+Attributes::Mixture MixInTriangle(
+  const std::vector<PlanarPoint>& points, const Triangle& cell, const PlanarPoint& place)
+{
+  Attributes::Mixture mixture{ { { cell[0], cell[1], cell[2], cell[2] } }, {}, true };
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    mixture.Weights[k] = std::max(
+      0.0, AreaOf(points[cell[(k + 1) % 3]], points[cell[(k + 2) % 3]], place, PlanarMetric()));
+    sum += mixture.Weights[k];
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    mixture.Weights[k] = sum > 0 ? mixture.Weights[k] / sum : 1.0 / 3;
+  }
+  return mixture;
+}
 } // namespace vtkInsideOut

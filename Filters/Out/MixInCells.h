@@ -2,6 +2,7 @@
 /** @file Interpolation of points within the input's cells. */
 #pragma once
 
+#include "Common/PlanarPoint.h"
 #include "Common/TetrahedralMesh.h"
 #include "Data/Attributes.h"
 
@@ -19,4 +20,8 @@ namespace vtkInsideOut
 std::vector<Attributes::Mixture> MixInCells(const insideout::TetrahedralMesh& mesh,
   const std::vector<insideout::Point>& points, const std::vector<insideout::Id>& originals,
   const std::vector<insideout::Id>& cells);
+
+/** The origin of a new point in a triangle of a plane, or near it. */
+Attributes::Mixture MixInTriangle(const std::vector<insideout::PlanarPoint>& points,
+  const insideout::Triangle& cell, const insideout::PlanarPoint& place);
 } // namespace vtkInsideOut

@@ -96,7 +96,7 @@ class Layers(CommandLine):
         result = self.layered()
         self.assertEqual(result.volume, result.boundary.volume)
         for asked in (result.split, result.to_meshio, result.solid.to_meshio, result.solid.split, lambda: result.components, lambda: result.solid.volume):
-            with self.assertRaisesRegex(insideout.Error, "^a solid with boundary layers has prisms, and this takes tetrahedra: "):
+            with self.assertRaisesRegex(insideout.Error, "^a solid with boundary layers has prisms or quads, and this takes tetrahedra or triangles: "):
                 asked()
 
     def test_a_file_of_them_is_read_as_such(self):
@@ -142,9 +142,6 @@ class Layers(CommandLine):
         ):
             with self.subTest(words), self.assertRaisesRegex(insideout.Error, words):
                 insideout.tetrahedralize(self.box, **options)
-        square = ([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
-        with self.assertRaisesRegex(insideout.Error, "plane"):
-            insideout.tetrahedralize(square, layers=1, first_height=0.1)
 
     def test_the_command_has_them(self):
         options = ("--edge-length", "0.5", "--surface-treatment", "remeshed", "--layers", "3", "--first-height", "0.02", "--layer-tags", "wall")
@@ -154,6 +151,47 @@ class Layers(CommandLine):
         self.assertIn("100 % of the wall at full height", ran.stdout)
         self.assertIn(13, {read_grid(self.output).GetCellType(c) for c in range(read_grid(self.output).GetNumberOfCells())})
         self.assertNotEqual(run_here("mesh", self.box, self.path("a.stl"), *options).returncode, 0)
+
+    def channel(self):
+        """A channel in a plane, 4 long and 1 wide, as lines with tags."""
+        places = [(0, 0, 0), (4, 0, 0), (4, 1, 0), (0, 1, 0)]
+        lines = "".join(f"v {x} {y} {z}\n" for x, y, z in places)
+        return self.file("channel.obj", lines + "g wall\nl 1 2\ng outlet\nl 2 3\ng wall\nl 3 4\ng inlet\nl 4 1\n")
+
+    def test_quads_in_a_plane_go_on_along_inlet_and_outlet(self):
+        with self.assertWarnsRegex(insideout.Warning, "two dimensions"):
+            result = insideout.tetrahedralize(self.channel(), edge_length=0.1, **LAYERS, output=self.output)
+        solid, statistics = result.solid, result.statistics
+        quads = solid.cells["quad"]
+        self.assertEqual((len(quads), statistics["FullHeightShare"], statistics["LayerTriangles"]), (statistics["Quads"], 1, 0))
+        self.assertEqual(len(quads), 3 * statistics["WallEdges"])
+        self.assertEqual((len(result.warnings), set(solid.layer)), (1, {0, 1, 2, 3}))
+        self.assertAlmostEqual(result.volume, 4, places=12)
+        heights = np.abs(solid.points[quads[:, 3], 1] - solid.points[quads[:, 0], 1])
+        np.testing.assert_allclose(heights, 0.02 * 1.2 ** (solid.layer[-len(quads) :] - 1), rtol=1e-9)
+        # The boundary's lines are edges of one cell, and keep their tags.
+        edges = [frozenset((cell[k], cell[k - 1])) for cells in solid.cells.values() for cell in cells.tolist() for k in range(len(cell))]
+        outer = {frozenset(map(tuple, solid.points[list(edge)])) for edge in set(edges) if edges.count(edge) == 1}
+        found = {}
+        for line, tag in zip(result.boundary.lines, result.boundary.cell_arrays["BoundaryTag"]):
+            places = result.boundary.points[line]
+            found.setdefault(tag, []).extend(frozenset(map(tuple, places[k : k + 2])) for k in range(len(line) - 1))
+        self.assertEqual({edge for edges in found.values() for edge in edges}, outer)
+        for number, tag in enumerate(sorted(found)):
+            along = np.array([sorted(edge) for edge in found[tag]])
+            lengths = np.linalg.norm(along[:, 1] - along[:, 0], axis=1)
+            self.assertAlmostEqual(lengths.sum(), 8 if number == 0 else 1, places=12)
+        self.assertEqual(insideout.read(self.output).cells["quad"].tolist(), quads.tolist())
+        with self.assertRaisesRegex(insideout.Error, "write layers as"), warnings.catch_warnings():
+            warnings.simplefilter("ignore", insideout.Warning)
+            insideout.tetrahedralize(self.channel(), edge_length=0.1, **LAYERS, output=self.path("a.xdmf"))
+        self.assertGreater(len(result.png()), 1000)
+
+    def test_the_command_makes_quads_of_outlines(self):
+        options = ("--edge-length", "0.1", "--layers", "2", "--first-height", "0.02", "--layer-tags", "wall")
+        ran = run_here("mesh", self.channel(), self.output, *options)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertRegex(ran.stdout, r"  layers of [\d,]+ quads and 0 triangles; 100 % of the wall at full height")
 
     def test_check_judges_them(self):
         result = self.layered()

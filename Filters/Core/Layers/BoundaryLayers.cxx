@@ -33,9 +33,6 @@ constexpr double LeastShareOfMoved = 0.05;
 constexpr int PassesOfRound = 2;
 constexpr int PassesAtEnd = 4;
 
-/** Shares from here on count as full height. */
-constexpr double FullShare = 0.999;
-
 /**
  * Sizes beyond 2 to this power are scaled, because products of lengths might over- or underflow.
  */
@@ -74,19 +71,7 @@ void CheckWall(const TetrahedralMesh& mesh, const std::vector<Id>& wall)
 void CheckParameters(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<Id>& wall, const LayerParameters& parameters)
 {
-  if (parameters.Layers < 1)
-  {
-    Refuse(
-      "the number of layers is " + std::to_string(parameters.Layers) + "; it has to be 1 or more");
-  }
-  if (!(parameters.FirstHeight > 0) || !std::isfinite(parameters.FirstHeight))
-  {
-    Refuse("the height of the first layer has to be positive");
-  }
-  if (!(parameters.Growth > 0) || !std::isfinite(parameters.Growth))
-  {
-    Refuse("the growth of layers has to be positive");
-  }
+  CheckLayerParameters(parameters);
   if (!regions.empty() && regions.size() != mesh.Cells.size())
   {
     Refuse("there are " + std::to_string(regions.size()) + " regions of " +
@@ -114,17 +99,6 @@ void CheckSize(const TetrahedralMesh& mesh, const LayerWall& wall, int layers)
   check(mesh.Cells.size(), wall.Triangles.size(), " cells");
 }
 
-double HeightOfAll(const LayerParameters& parameters)
-{
-  double sum = 0;
-  double height = parameters.FirstHeight;
-  for (int layer = 0; layer < parameters.Layers; ++layer, height *= parameters.Growth)
-  {
-    sum += height;
-  }
-  return sum;
-}
-
 /** The mean length of the edges at each point. */
 std::vector<double> LengthsOf(const TetrahedralMesh& mesh)
 {
@@ -147,47 +121,6 @@ std::vector<double> LengthsOf(const TetrahedralMesh& mesh)
     sums[p] = counts[p] > 0 ? sums[p] / counts[p] : std::numeric_limits<double>::infinity();
   }
   return sums;
-}
-
-/** The share of the full height that layers have at each point of the mesh. */
-std::vector<double> SharesOfHeight(const LayerWall& wall,
-  const std::vector<WallDirection>& directions, const PushedWall& pushed, double height,
-  std::size_t points)
-{
-  std::vector<double> shares(points, 0);
-  for (const Id p : wall.Points)
-  {
-    shares[p] = std::min(
-      1.0, pushed.Height(p) * directions[p].LengthPerHeight() * directions[p].Cosine / height);
-    shares[p] = shares[p] >= FullShare ? 1 : shares[p];
-  }
-  return shares;
-}
-
-void AppendShares(const std::vector<double>& shares, const LayerWall& wall,
-  const std::vector<Point>& points, Statistics& statistics)
-{
-  double all = 0;
-  double full = 0;
-  double mean = 0;
-  for (const Triangle& t : wall.Triangles)
-  {
-    const double area = Length(NormalOf(points[t[0]], points[t[1]], points[t[2]]));
-    all += area;
-    full += std::min({ shares[t[0]], shares[t[1]], shares[t[2]] }) == 1 ? area : 0;
-    mean += area * (shares[t[0]] + shares[t[1]] + shares[t[2]]) / 3;
-  }
-  const auto count = [&](const auto& isCounted)
-  {
-    return static_cast<double>(std::count_if(
-      wall.Points.begin(), wall.Points.end(), [&](Id p) { return isCounted(shares[p]); }));
-  };
-  statistics.emplace_back("WallTriangles", wall.Triangles.size());
-  statistics.emplace_back("WallPoints", wall.Points.size());
-  statistics.emplace_back("ReducedPoints", count([](double x) { return x > 0 && x < 1; }));
-  statistics.emplace_back("BarePoints", count([](double x) { return x == 0; }));
-  statistics.emplace_back("FullHeightShare", all > 0 ? full / all : 0);
-  statistics.emplace_back("MeanHeightShare", all > 0 ? mean / all : 0);
 }
 
 LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
@@ -218,9 +151,10 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
   }
   const double height = HeightOfAll(parameters);
   const std::vector<WallDirection> directions =
-    FindWallDirections(mesh.Points, wall, rims.AtPoints, height);
+    FindWallDirections(mesh.Points, wall, InwardNormals(mesh.Points, wall), rims.AtPoints, height);
   Id narrow = 0;
-  const std::vector<double> heights = LimitHeights(refinable, wall, directions, height, narrow);
+  const std::vector<double> heights = LimitHeights(mesh.Points, wall, directions,
+    WaysToFacets(refinable, wall, directions, height), height, narrow);
   const std::vector<double> fractions = FractionsOfLayers(parameters.Layers, parameters.Growth);
 
   PushedWall pushed(refinable, { wall, directions, heights, fractions });
@@ -261,8 +195,19 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
   const std::size_t ofLayers = result.Tetrahedra.size() - result.NumberOfCellsBehind;
   result.Statistics = { { "Layers", parameters.Layers }, { "Prisms", result.Prisms.size() },
     { "Pyramids", result.Pyramids.size() }, { "LayerTetrahedra", ofLayers } };
-  AppendShares(SharesOfHeight(wall, directions, pushed, height, mesh.Points.size()), wall,
-    mesh.Points, result.Statistics);
+  std::vector<double> reached(mesh.Points.size(), 0);
+  for (const Id p : wall.Points)
+  {
+    reached[p] = pushed.Height(p);
+  }
+  std::vector<double> areas;
+  for (const Triangle& t : wall.Triangles)
+  {
+    areas.push_back(Length(NormalOf(mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]])));
+  }
+  result.Statistics.emplace_back("WallTriangles", wall.Triangles.size());
+  AppendHeights(SharesOfHeight(wall, directions, reached, height), wall, wall.Triangles, areas,
+    result.Statistics);
   result.Statistics.emplace_back("NarrowPoints", narrow);
   result.Statistics.emplace_back("EndPoints",
     std::count_if(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Layers/LayerParameters.h"
 #include "Layers/LayeredMesh.h"
 
 #include <array>
@@ -9,13 +10,6 @@
 
 namespace insideout
 {
-struct LayerParameters
-{
-  int Layers = 3;
-  double FirstHeight = 0; ///< of the layer at the wall
-  double Growth = 1.2;    ///< ratio of a layer's height to that of the layer before
-};
-
 /**
  * Layers of prisms inside a part of the boundary, whose triangles stay bit by bit. At each point of
  * the wall all layers shrink by the same factor where room is missing: in gaps and where the wall

@@ -20,36 +20,6 @@ bool IsLayerPositive(const std::array<Point, 3>& outer, const std::array<Point, 
 }
 } // namespace
 
-std::vector<double> FractionsOfLayers(int layers, double growth)
-{
-  std::vector<double> fractions = { 0 };
-  double height = 1;
-  for (int layer = 0; layer < layers; ++layer, height *= growth)
-  {
-    fractions.push_back(fractions.back() + height);
-  }
-  const double all = fractions.back();
-  for (double& fraction : fractions)
-  {
-    fraction /= all;
-  }
-  return fractions;
-}
-
-Point PlaceOnBorder(const Point& outer, const Point& inner, double fraction)
-{
-  if (fraction <= 0 || fraction >= 1)
-  {
-    return fraction <= 0 ? outer : inner;
-  }
-  Point place;
-  for (int k = 0; k < 3; ++k)
-  {
-    place[k] = outer[k] + fraction * (inner[k] - outer[k]);
-  }
-  return place;
-}
-
 bool IsPositive(const LayerColumn& column, const std::vector<double>& fractions)
 {
   std::array<bool, 3> isLifted;

@@ -3,15 +3,11 @@
 
 #include "Common/LayerCells.h"
 
+#include <array>
 #include <vector>
 
 namespace insideout
 {
-/**
- * The positions of the borders of layers, as fractions of the way from the wall: 0, and up to 1.
- */
-std::vector<double> FractionsOfLayers(int layers, double growth);
-
 /**
  * The corners of a triangle of the wall and the inner ends of its layers; equal where there is
  * none.
@@ -23,7 +19,21 @@ struct LayerColumn
 };
 
 /** The point on the border of a layer: exactly the ends for 0 and 1. */
-Point PlaceOnBorder(const Point& outer, const Point& inner, double fraction);
+template <std::size_t Axes>
+std::array<double, Axes> PlaceOnBorder(
+  const std::array<double, Axes>& outer, const std::array<double, Axes>& inner, double fraction)
+{
+  if (fraction <= 0 || fraction >= 1)
+  {
+    return fraction <= 0 ? outer : inner;
+  }
+  std::array<double, Axes> place;
+  for (std::size_t k = 0; k < Axes; ++k)
+  {
+    place[k] = outer[k] + fraction * (inner[k] - outer[k]);
+  }
+  return place;
+}
 
 /**
  * Whether all cells of a column are positive at their corners, exactly: a prism, or the pyramid or

@@ -14,8 +14,8 @@ namespace insideout
 {
 namespace
 {
-/** Share of the way to the facet ahead: layers of both sides take two thirds. */
-constexpr double ShareOfGap = 1.0 / 3;
+/** Shares from here on count as full height. */
+constexpr double FullShare = 0.999;
 
 /** Least share of a wall edge behind the layers. */
 constexpr double LeastShareOfEdge = 0.25;
@@ -59,7 +59,7 @@ double WayToFacet(const RefinableMesh& mesh, Id point, const std::vector<Id>& st
 }
 
 /** Lower heights that would make edges of the wall too short, or reverse them. */
-void KeepEdges(const std::vector<Point>& points, const LayerWall& wall,
+void KeepEdges(const std::vector<Point>& points, const WallPoints& wall,
   const std::vector<WallDirection>& directions, std::vector<double>& heights)
 {
   for (const Id p : wall.Points)
@@ -80,8 +80,10 @@ void KeepEdges(const std::vector<Point>& points, const LayerWall& wall,
   }
 }
 
-/** Limit the growth of heights along edges. */
-void Grade(const std::vector<Point>& points, const LayerWall& wall, std::vector<double>& heights)
+} // namespace
+
+void GradeHeights(
+  const std::vector<Point>& points, const WallPoints& wall, std::vector<double>& heights)
 {
   using Entry = std::pair<double, Id>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -108,28 +110,52 @@ void Grade(const std::vector<Point>& points, const LayerWall& wall, std::vector<
     }
   }
 }
-} // namespace
 
-std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wall,
-  const std::vector<WallDirection>& directions, double height, Id& narrow)
+std::vector<double> WaysToFacets(const RefinableMesh& mesh, const WallPoints& wall,
+  const std::vector<WallDirection>& directions, double height)
 {
-  std::vector<double> heights(mesh.Points.size(), 0);
+  std::vector<double> ways(mesh.Points.size(), 0);
   std::vector<Id> star;
   for (const Id p : wall.Points)
   {
-    if (directions[p].Cosine == 0)
+    if (directions[p].Cosine > 0)
     {
-      continue;
+      star.clear();
+      mesh.Star(p, star);
+      ways[p] = WayToFacet(mesh, p, star, directions[p].Inward, directions[p].EnoughWay(height));
     }
-    const double times = directions[p].LengthPerHeight();
-    star.clear();
-    mesh.Star(p, star);
-    const double way = WayToFacet(mesh, p, star, directions[p].Inward, times * height / ShareOfGap);
-    heights[p] = std::min(height, ShareOfGap * way / times);
-    narrow += heights[p] < height ? 1 : 0;
   }
-  KeepEdges(mesh.Points, wall, directions, heights);
-  Grade(mesh.Points, wall, heights);
+  return ways;
+}
+
+std::vector<double> LimitHeights(const std::vector<Point>& points, const WallPoints& wall,
+  const std::vector<WallDirection>& directions, const std::vector<double>& ways, double height,
+  Id& narrow)
+{
+  std::vector<double> heights(points.size(), 0);
+  for (const Id p : wall.Points)
+  {
+    if (directions[p].Cosine > 0)
+    {
+      heights[p] = std::min(height, directions[p].HeightBefore(ways[p]));
+      narrow += heights[p] < height ? 1 : 0;
+    }
+  }
+  KeepEdges(points, wall, directions, heights);
+  GradeHeights(points, wall, heights);
   return heights;
+}
+
+std::vector<double> SharesOfHeight(const WallPoints& wall,
+  const std::vector<WallDirection>& directions, const std::vector<double>& heights, double height)
+{
+  std::vector<double> shares(heights.size(), 0);
+  for (const Id p : wall.Points)
+  {
+    shares[p] =
+      std::min(1.0, heights[p] * directions[p].LengthPerHeight() * directions[p].Cosine / height);
+    shares[p] = shares[p] >= FullShare ? 1 : shares[p];
+  }
+  return shares;
 }
 } // namespace insideout

@@ -114,7 +114,7 @@ bool PushedWall::IsInside(Id point, const Point& place) const
   const std::vector<Point>& points = this->Mesh.Points;
   const auto sees = [&](const Triangle& t)
   { return Orient3D(points[t[0]], points[t[1]], points[t[2]], place) > 0; };
-  const auto at = this->Push.Wall.TrianglesAt[point];
+  const auto at = this->Push.Wall.FacetsAt[point];
   return std::all_of(this->Walls.begin(), this->Walls.end(), sees) &&
     std::all_of(at.begin(), at.end(),
       [&](Id t)
@@ -127,7 +127,7 @@ bool PushedWall::IsInside(Id point, const Point& place) const
 /** Whether the layers around a point are positive and even where it is moved. */
 bool PushedWall::AreGood(Id point, const Point& place) const
 {
-  const auto at = this->Push.Wall.TrianglesAt[point];
+  const auto at = this->Push.Wall.FacetsAt[point];
   return std::all_of(at.begin(), at.end(),
     [&](Id t)
     {

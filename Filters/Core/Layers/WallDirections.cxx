@@ -15,6 +15,9 @@ namespace
  */
 constexpr int StepsOfHull = 50;
 
+/** Share of the way to the facet ahead: layers of both sides take two thirds. */
+constexpr double ShareOfGap = 1.0 / 3;
+
 /** Directions with a smaller cosine run along a triangle: layers there would be nearly flat. */
 constexpr double LeastCosine = 0.1;
 
@@ -58,22 +61,19 @@ class Directions
 {
 public:
   Directions(
-    const std::vector<Point>& points, const LayerWall& wall, const std::vector<WallRim>& rims)
+    const WallPoints& wall, const std::vector<Point>& normals, const std::vector<WallRim>& rims)
     : Wall(wall)
+    , Normals(normals)
     , Rims(rims)
-    , All(points.size())
-    , Best(points.size(), 0)
+    , All(rims.size())
+    , Best(rims.size(), 0)
   {
-    for (const Triangle& t : wall.Triangles)
-    {
-      this->Normals.push_back(Unit(NormalOf(points[t[0]], points[t[2]], points[t[1]])));
-    }
     for (const Id p : wall.Points)
     {
       std::vector<Point> around;
-      for (const Id t : wall.TrianglesAt[p])
+      for (const Id f : wall.FacetsAt[p])
       {
-        around.push_back(rims[p].Along(this->Normals[t]));
+        around.push_back(rims[p].Along(normals[f]));
       }
       const Point way = UnitUnlessShort(ShortestInHull(around, StepsOfHull));
       this->Best[p] = this->CosineAt(p, way);
@@ -142,16 +142,16 @@ private:
   double CosineAt(Id point, const Point& way) const
   {
     double least = 1;
-    for (const Id t : this->Wall.TrianglesAt[point])
+    for (const Id f : this->Wall.FacetsAt[point])
     {
-      least = std::min(least, Dot(this->Normals[t], way));
+      least = std::min(least, Dot(this->Normals[f], way));
     }
     return least;
   }
 
-  const LayerWall& Wall;
+  const WallPoints& Wall;
+  const std::vector<Point>& Normals;
   const std::vector<WallRim>& Rims;
-  std::vector<Point> Normals; ///< of the triangles, inward
   std::vector<WallDirection> All;
   std::vector<double> Best; ///< cosine
 };
@@ -162,15 +162,37 @@ double WallDirection::WayAlong(const Point& vector) const
   return this->LengthPerHeight() * Dot(this->Inward, vector);
 }
 
+double WallDirection::EnoughWay(double height) const
+{
+  return this->LengthPerHeight() * height / ShareOfGap;
+}
+
+double WallDirection::HeightBefore(double way) const
+{
+  return ShareOfGap * way / this->LengthPerHeight();
+}
+
 double WallDirection::LengthPerHeight() const
 {
   return this->Cosine > 0 ? std::min(MostTimesHeight, 1 / this->Cosine) : 0;
 }
 
-std::vector<WallDirection> FindWallDirections(const std::vector<Point>& points,
-  const LayerWall& wall, const std::vector<WallRim>& rims, double height)
+std::vector<Point> InwardNormals(const std::vector<Point>& points, const LayerWall& wall)
 {
-  Directions directions(points, wall, rims);
+  std::vector<Point> normals;
+  normals.reserve(wall.Triangles.size());
+  for (const Triangle& t : wall.Triangles)
+  {
+    normals.push_back(Unit(NormalOf(points[t[0]], points[t[2]], points[t[1]])));
+  }
+  return normals;
+}
+
+std::vector<WallDirection> FindWallDirections(const std::vector<Point>& points,
+  const WallPoints& wall, const std::vector<Point>& normals, const std::vector<WallRim>& rims,
+  double height)
+{
+  Directions directions(wall, normals, rims);
   for (int round = 0; round < Rounds; ++round)
   {
     directions.Smooth(wall.Points, LeastShareOfCosine);

@@ -11,12 +11,6 @@ namespace insideout
 {
 namespace
 {
-/**
- * Sine of the angle up to which facets count as coplanar: coordinates of seven digits, as files
- * have them, on facets a tenth as long as the model.
- */
-constexpr double SineInPlane = 1e-6;
-
 Point UnitNormal(const std::array<Point, 3>& corners)
 {
   const Point normal = NormalOf(corners[0], corners[1], corners[2]);

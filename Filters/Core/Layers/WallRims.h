@@ -9,6 +9,12 @@
 
 namespace insideout
 {
+/**
+ * Sine of the angle up to which facets count as coplanar: coordinates of seven digits, as files
+ * have them, on facets a tenth as long as the model.
+ */
+constexpr double SineInPlane = 1e-6;
+
 /** The planes of the other facets at a point of a wall, in which it has to stay. */
 struct WallRim
 {

@@ -3,6 +3,7 @@
 
 #include "Common/Error.h"
 #include "Common/LoopProgress.h"
+#include "Common/PointPredicates.h"
 #include "Common/Stages.h"
 
 #include <cmath>
@@ -318,6 +319,26 @@ bool PlanarRefiner::IsAcrossSharpCorner(Id u, Id v, const Triangle& corners) con
   return false;
 }
 
+namespace
+{
+/** Move a rounded place between the ends of a segment to its line, or to the left of it. So parts
+ * of the boundary that almost touch do not cross. */
+void MoveLeft(const PlanarPoint& a, const PlanarPoint& b, PlanarPoint& place)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const PlanarPoint normal = { a[1] - b[1], b[0] - a[0] };
+  const auto stepAlong = [&](int axis)
+  { return std::nextafter(place[axis], std::copysign(infinity, normal[axis])); };
+  constexpr int enough = 4; // the place is off by less than two steps along both axes
+  for (int step = 0; step < enough && Orient2D(a, b, place) < 0; ++step)
+  {
+    const auto gain = [&](int axis) { return (stepAlong(axis) - place[axis]) * normal[axis]; };
+    const int axis = gain(0) > gain(1) ? 0 : 1;
+    place[axis] = stepAlong(axis);
+  }
+}
+} // namespace
+
 /**
  * @param[in] leastHalf constraints with a shorter half are not split. @return whether it was split
  */
@@ -338,7 +359,12 @@ bool PlanarRefiner::SplitConstraint(const Place& edge, double leastHalf)
     return false;
   }
   const PlanarPoint &a = this->Mesh.Points()[ends[0]], &b = this->Mesh.Points()[ends[1]];
-  const PlanarPoint place = { a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]) };
+  PlanarPoint place = { a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]) };
+  if (this->Mesh.Cells()[edge.Cell].Neighbors[edge.Edge] == None)
+  {
+    const Segment boundary = this->EndsOf(edge);
+    MoveLeft(this->Mesh.Points()[boundary[0]], this->Mesh.Points()[boundary[1]], place);
+  }
   const double size = this->SizeAt(edge.Cell, place);
   const Id source = this->Mesh.Cells()[edge.Cell].Sources[edge.Edge];
   if (this->Mesh.Split(edge, place) == None)

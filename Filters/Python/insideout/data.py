@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
     VTK_PYRAMID,
+    VTK_QUAD,
     VTK_QUADRATIC_TETRA,
     VTK_TETRA,
     VTK_TRIANGLE,
@@ -184,11 +185,13 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
 
 
 class LayeredCells(_Views, vtkUnstructuredGrid):
-    """A vtkUnstructuredGrid of tetrahedra, and of pyramids and prisms in boundary layers. Its arrays are views."""
+    """A vtkUnstructuredGrid of tetrahedra, and of pyramids and prisms in boundary layers; in a plane of triangles, and of quads in layers.
+    Its arrays are views."""
 
     @property
     def cells(self) -> dict[str, NDArray[np.int64]]:
-        """The points of the cells of each type, in VTK's order: "tetra", "pyramid" and "wedge", as meshio calls them."""
+        """The points of the cells of each type, in VTK's order: "tetra", "pyramid" and "wedge", in a plane "triangle" and "quad", as meshio
+        calls them."""
         types = types_of_cells(self)
         nodes = vtk_to_numpy(self.GetCells().GetConnectivityArray())
         begins = vtk_to_numpy(self.GetCells().GetOffsetsArray())
@@ -202,7 +205,11 @@ class LayeredCells(_Views, vtkUnstructuredGrid):
 
     @property
     def volume(self) -> float:
-        raise self._unfit("the boundary has the volume")
+        """In a plane the area. Raises `Error` in space."""
+        if not is_flat(self):
+            raise self._unfit("the boundary has the volume")
+        quads = self.cells.get("quad", np.zeros((0, 4), np.int64))
+        return area(self.points, np.concatenate([self.cells.get("triangle", quads[:, :3]), quads[:, :3], quads[:, [0, 2, 3]]]))
 
     @property
     def components(self) -> int:
@@ -216,10 +223,10 @@ class LayeredCells(_Views, vtkUnstructuredGrid):
 
     @staticmethod
     def _unfit(remedy: str) -> Error:
-        return Error(f"a solid with boundary layers has prisms, and this takes tetrahedra: {remedy}")
+        return Error(f"a solid with boundary layers has prisms or quads, and this takes tetrahedra or triangles: {remedy}")
 
 
-_LAYERED_TYPES = {"tetra": (VTK_TETRA, 4), "pyramid": (VTK_PYRAMID, 5), "wedge": (VTK_WEDGE, 6)}
+_LAYERED_TYPES = {"triangle": (VTK_TRIANGLE, 3), "quad": (VTK_QUAD, 4), "tetra": (VTK_TETRA, 4), "pyramid": (VTK_PYRAMID, 5), "wedge": (VTK_WEDGE, 6)}
 """VTK's types of their cells, and the number of points of each."""
 
 
@@ -288,13 +295,13 @@ def _split(data: Any, cells: NDArray[np.int64], labels: NDArray[np.int64]) -> li
 
 
 def is_flat(grid: vtkUnstructuredGrid) -> bool:
-    """Whether its cells are triangles."""
-    return bool(grid.GetNumberOfCells() > 0 and grid.GetCellType(0) == VTK_TRIANGLE)
+    """Whether its cells are triangles and quads."""
+    return bool(grid.GetNumberOfCells() > 0 and grid.GetCellType(0) in (VTK_TRIANGLE, VTK_QUAD))
 
 
 def has_layers(grid: vtkUnstructuredGrid) -> bool:
-    """Whether some of its cells are pyramids or prisms."""
-    return bool(grid.GetNumberOfCells() > 0 and np.isin(types_of_cells(grid), (VTK_PYRAMID, VTK_WEDGE)).any())
+    """Whether some of its cells are pyramids, prisms or quads."""
+    return bool(grid.GetNumberOfCells() > 0 and np.isin(types_of_cells(grid), (VTK_PYRAMID, VTK_WEDGE, VTK_QUAD)).any())
 
 
 def as_type(data_type: type[DataSet], data: vtkDataSet) -> DataSet:

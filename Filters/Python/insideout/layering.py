@@ -15,7 +15,7 @@ from .vtkFiltersInsideOut import vtkBoundaryLayers
 def layered(
     solid: vtkUnstructuredGrid, boundary: vtkPolyData, options: Options, progress: Optional[Progress] = None
 ) -> tuple[vtkUnstructuredGrid, vtkPolyData, list[str]]:
-    """The solid with layers of prisms at its walls, its boundary, and warnings."""
+    """The solid with layers of prisms, in a plane of quads, at its walls, its boundary, and warnings."""
     maker = options.set_on(vtkBoundaryLayers(), LAYER_OPTIONS)
     maker.SetInputData(solid)
     maker.SetBoundaryData(boundary)

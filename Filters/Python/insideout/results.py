@@ -11,7 +11,7 @@ from typing import Any, Optional, TypeVar
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .calling import quietly
-from .data import LayeredCells, Polylines, Tetrahedra, Triangles, TriangleSurface
+from .data import LayeredCells, Polylines, Tetrahedra, Triangles, TriangleSurface, is_flat
 from .panels import draw_panels
 from .pipeline import Error
 from .plotting import plot
@@ -83,7 +83,8 @@ class MeshResult(Result):
     @property
     def volume(self) -> float:
         """The volume of the solid, or else of the surface's interior. In two dimensions the area."""
-        has_layers = isinstance(getattr(self, "solid", None), LayeredCells)
+        solid = getattr(self, "solid", None)
+        has_layers = isinstance(solid, LayeredCells) and not is_flat(solid)
         return float(self._first_of("boundary" if has_layers else "solid", "boundary", "surface").volume)
 
     @property

@@ -112,8 +112,9 @@ def _layers(statistics: Mapping[str, float]) -> list[str]:
     """The cells of boundary layers, if there are any."""
     if "Layers" not in statistics:
         return []
-    prisms, pyramids, others = (_count(statistics[name]) for name in ("Prisms", "Pyramids", "LayerTetrahedra"))
-    return [f"  layers of {prisms} prisms, {pyramids} pyramids and {others} tetrahedra; {math.floor(1000 * statistics['FullHeightShare']) / 10:g} % of the wall at full height"]
+    kinds = {"Prisms": "prisms", "Pyramids": "pyramids", "Quads": "quads", "LayerTetrahedra": "tetrahedra", "LayerTriangles": "triangles"}
+    *first, last = (f"{_count(statistics[name])} {words}" for name, words in kinds.items() if name in statistics)
+    return [f"  layers of {', '.join(first)} and {last}; {math.floor(1000 * statistics['FullHeightShare']) / 10:g} % of the wall at full height"]
 
 
 def _refined_triangles(statistics: Mapping[str, float]) -> list[str]:
@@ -249,6 +250,7 @@ def _planar_summary(name: str, statistics: Mapping[str, float], areas: Sequence[
         f"  {count['InsideCells']} triangles inside, of {count['HullCells']} in the convex hull",
         *_topology(statistics),
         *_refined_triangles(statistics),
+        *_layers(statistics),
         *([f"  area {statistics['Area']:.6g}, center of mass ({center})"] if statistics["Area"] else []),
         *([f"  {len(areas):,} regions, of area {_first(f'{area:.6g}' for area in areas)}"] if len(areas) > 1 else []),
         f"  {count['OutlierSegments']} outlier segments",

@@ -21,7 +21,7 @@ from .files import WRITABLE_SURFACES, Path, check_output, ending
 from .inputs import path_of
 from .layering import layered
 from .lengths import Length
-from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SizeRules, SurfaceTreatment, TagRules, Topology, describe_options, in_words_of_python
+from .options import LAYER_OPTIONS, OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SizeRules, SurfaceTreatment, TagRules, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
 from .results import MeshResult, counted
 from .solid_files import WRITABLE_GRIDS, check_beside, check_holds_layers, check_holds_triangles, is_for_solver, write_result
@@ -202,8 +202,6 @@ def tetrahedralize(
     algorithm.SetBodyArrayName(body_array or "")
     if options.is_planar(polygons):
         check_holds_triangles(output or "")
-        if makes_layers:
-            raise Error("the input lies in a plane, where layers are not made: prisms are in space")
         algorithm, more = _triangulator(options, polygons, body_array)
         warnings += more
     elif output is not None:
@@ -247,7 +245,7 @@ def tetrahedralize(
 def _triangulator(options: Options, polygons: vtkPolyData, body_array: Optional[str]) -> Tuple[vtkRobustTriangulate, list[str]]:
     """The filter for triangles in a plane, and its warnings. Raises `Error` for options of tetrahedra alone."""
     algorithm = vtkRobustTriangulate()
-    left_out = options.left_out_by(algorithm)
+    left_out = [name for name in options.left_out_by(algorithm) if name not in LAYER_OPTIONS]
     if body_array:
         raise Error("the input lies in a plane, where body_array has no meaning: bodies are in space")
     if options.separate_overlaps:

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // vtkRobustTriangulate, and what the other classes do in a plane. The laws stand in
 // Cxx/Core/Planar.
+#include "Listener.h"
 #include "Statistics.h"
+#include "vtkBoundaryLayers.h"
 #include "vtkConstrainedDelaunay3D.h"
 #include "vtkGeneralizedWindingNumber.h"
 #include "vtkGraphCutSegmentation.h"
@@ -582,3 +584,111 @@ TEST(vtkRobustTriangulate, CanBeStoppedInEveryStage)
   FAIL() << "reports without end";
 }
 } // namespace
+
+TEST(vtkBoundaryLayers, MakesQuadsInATiltedPlaneAndCarriesDataOver)
+{
+  const double c = std::sqrt(0.5);
+  vtkNew<vtkRobustTriangulate> triangulate;
+  const Data square = MakeData({ { 0, 0, 0 }, { c, 0, c }, { c, 1, c }, { 0, 1, 0 } },
+    { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } });
+  triangulate->SetInputData(square);
+  triangulate->SetRefine(true);
+  triangulate->SetEdgeLength(0.1);
+  triangulate->Update();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->ShallowCopy(triangulate->GetOutput());
+  vtkNew<vtkDoubleArray> heights;
+  heights->SetName("Height");
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    heights->InsertNextValue(grid->GetPoint(p)[1]);
+  }
+  grid->GetPointData()->AddArray(heights);
+  vtkNew<vtkBoundaryLayers> layers;
+  layers->SetInputData(grid);
+  layers->SetBoundaryData(triangulate->GetBoundary());
+  layers->SetFirstHeight(0.01);
+  layers->Update();
+  vtkUnstructuredGrid* made = layers->GetOutput();
+  vtkIdType quads = 0;
+  for (vtkIdType cell = 0; cell < made->GetNumberOfCells(); ++cell)
+  {
+    const bool isQuad = made->GetCellType(cell) == VTK_QUAD;
+    quads += isQuad ? 1 : 0;
+    EXPECT_EQ(made->GetCellData()->GetArray("Layer")->GetTuple1(cell) > 0, isQuad);
+  }
+  EXPECT_EQ(quads, StatisticOf(made, "Quads"));
+  EXPECT_EQ(quads, 3 * StatisticOf(made, "WallEdges"));
+  EXPECT_EQ(StatisticOf(made, "FullHeightShare"), 1);
+  vtkDataArray* after = made->GetPointData()->GetArray("Height");
+  ASSERT_TRUE(after);
+  for (vtkIdType p = 0; p < made->GetNumberOfPoints(); ++p)
+  {
+    EXPECT_NEAR(after->GetTuple1(p), made->GetPoint(p)[1], 1e-12);
+    EXPECT_NEAR(made->GetPoint(p)[0], made->GetPoint(p)[2], 1e-12);
+  }
+  EXPECT_GT(layers->GetBoundary()->GetNumberOfLines(), 0);
+  EXPECT_FALSE(made->GetCellData()->GetArray("FacetIds"));
+}
+
+TEST(vtkBoundaryLayers, NamesWhatIsWrongInAPlane)
+{
+  const auto gridOf = [](const std::vector<Place>& places, const Cells& cells)
+  {
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    vtkNew<vtkPoints> points;
+    for (const Place& place : places)
+    {
+      points->InsertNextPoint(place.data());
+    }
+    grid->SetPoints(points);
+    grid->SetCells(VTK_TRIANGLE, MakeCells(cells));
+    return grid;
+  };
+  const std::vector<Place> square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  const auto good = gridOf(square, { { 0, 1, 2 }, { 0, 2, 3 } });
+  const auto linesOf = [&](const Cells& lines) { return MakeData(square, lines); };
+  const Data around = linesOf({ { 0, 1, 2, 3, 0 } });
+  std::vector<Place> bent = square;
+  bent[3][2] = 0.1;
+  vtkNew<vtkUnstructuredGrid> mixed;
+  mixed->SetPoints(good->GetPoints());
+  mixed->Allocate(2);
+  const vtkIdType ids[] = { 0, 1, 2, 3 };
+  mixed->InsertNextCell(VTK_TRIANGLE, 3, ids);
+  mixed->InsertNextCell(VTK_QUAD, 4, ids);
+  struct Case
+  {
+    vtkSmartPointer<vtkUnstructuredGrid> Grid;
+    Data Boundary;
+    std::string Words;
+  };
+  const std::vector<Case> cases = { { gridOf(bent, { { 0, 1, 2 }, { 0, 2, 3 } }), nullptr,
+                                      "off a plane" },
+    { gridOf(square, { { 0, 1, 2 }, { 0, 3, 2 } }), nullptr, "cell 1 has no area, or runs" },
+    { gridOf(square, { { 0, 1, 2 }, { 0, 1, 3 } }), nullptr,
+      "the edge between points 0 and 1 has several triangles on one side" },
+    { gridOf(square, { { 0, 1, 2 }, { 0, 2, 7 } }), nullptr, "cell 1 refers to point 7 of 4" },
+    { mixed.Get(), nullptr, "cell 1 is of VTK's type 9" },
+    { good, linesOf({ { 0, 3, 2, 1, 0 } }), "line 0 of the boundary goes from point 0 to 3" },
+    { good, linesOf({ { 0, 1 }, { 0, 2 } }), "line 1 of the boundary goes from point 0 to 2" },
+    { good, MakeData(square, {}, { { 0, 1, 2 } }), "cells that are not lines" } };
+  for (const Case& one : cases)
+  {
+    vtkNew<vtkBoundaryLayers> layers;
+    const Listener errors(layers, vtkCommand::ErrorEvent);
+    layers->SetInputData(one.Grid);
+    layers->SetBoundaryData(one.Boundary);
+    layers->SetFirstHeight(0.1);
+    layers->Update();
+    EXPECT_TRUE(errors.Heard(one.Words)) << one.Words;
+    EXPECT_EQ(layers->GetOutput()->GetNumberOfCells(), 0);
+  }
+  vtkNew<vtkBoundaryLayers> layers;
+  layers->SetInputData(good);
+  layers->SetBoundaryData(around);
+  layers->SetFirstHeight(0.1);
+  layers->SetLayers(1);
+  layers->Update();
+  EXPECT_EQ(StatisticOf(layers->GetOutput(), "Quads"), 4);
+}

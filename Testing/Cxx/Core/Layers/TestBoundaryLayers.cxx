@@ -6,6 +6,7 @@
 #include "Common/Vectors.h"
 #include "GraphCut/ConnectCells.h"
 #include "Layers/LayerColumns.h"
+#include "Layers/LayerParameters.h"
 #include "Quality/QualityOfMesh.h"
 #include "Refine/RefineTetrahedra.h"
 #include "Support/AllowedThreads.h"
