@@ -16,6 +16,7 @@ import time
 import types
 import typing
 import unittest
+from importlib.util import cache_from_source
 from pathlib import Path
 from unittest import mock
 
@@ -420,6 +421,15 @@ class Package(unittest.TestCase):
 
         self.assertIn("vtkmodules.vtkFiltersCore", loaded("import insideout"))
         self.assertEqual(loaded("import insideout") - loaded("\n".join(needed)), set())
+
+    def test_to_import_it_takes_nothing_of_networks(self):
+        code = "import sys, insideout; sys.exit('urllib.request' in sys.modules)"
+        self.assertEqual(subprocess.run([sys.executable, "-c", code], check=False).returncode, 0)
+
+    def test_the_build_has_compiled_every_module(self):
+        modules = list(Path(insideout.__file__).parent.rglob("*.py"))
+        self.assertIn("options.py", [module.name for module in modules])
+        self.assertEqual([module for module in modules if not Path(cache_from_source(str(module))).exists()], [])
 
     def test_every_public_name_is_documented(self):
         for name, thing in self.public():

@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 import re
 from typing import Mapping, Optional, Union
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 from numpy.typing import NDArray
@@ -90,4 +89,6 @@ def _item(values: NDArray) -> str:
 def _quoted(name: str) -> str:
     """A name as an attribute; characters that XML cannot have become spaces. > is escaped, so that nothing ends a CDATA
     section."""
+    from xml.sax.saxutils import quoteattr  # it imports urllib, a fifteenth of the time in which the package starts
+
     return quoteattr(re.sub("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", " ", name))

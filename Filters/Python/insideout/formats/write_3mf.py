@@ -11,7 +11,6 @@ import io
 import re
 import zipfile
 from typing import Iterator, Sequence
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,4 +114,6 @@ def _lines(form: str, rows: NDArray) -> Iterator[str]:
 
 
 def _quoted(name: str) -> str:
+    from xml.sax.saxutils import quoteattr  # it imports urllib, a fifteenth of the time in which the package starts
+
     return quoteattr(_NO_XML.sub("?", name))
