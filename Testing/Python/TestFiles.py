@@ -311,7 +311,8 @@ class Writing(InAFolder):
         surfaces.add_array(hull.GetFieldData(), "noise", np.random.default_rng(1).random(20000))
         yield "hull.vtu", lambda path: write_grid(hull, path)
         yield "w.csv", lambda path: insideout.pipeline.write_bytes(b"0123456789abcdef" * 10000, path)
-        points = np.random.default_rng(1).random((6000, 3))
+        apart = np.arange(6000) // 12 * 2  # crossings of all with all would take a second to round, and four to check
+        points = np.random.default_rng(1).random((6000, 3)) + apart[:, None]
         surface = surfaces.polydata(points, np.arange(6000).reshape(-1, 3))
         for ending in (".vtp", ".ply", ".stl", ".obj", ".off"):
             yield "surface" + ending, lambda path: write_surface(surface, path)
