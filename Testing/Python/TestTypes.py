@@ -123,6 +123,13 @@ def preamble(block: int) -> str:
 class Types(unittest.TestCase):
     maxDiff = None
 
+    @classmethod
+    def setUpClass(cls):
+        """What mypy has found out of NumPy and of the package, for all tests."""
+        cache = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cache.cleanup)
+        cls.cache = cache.name
+
     def refused_lines(self, program: str) -> dict[int, str]:
         """What mypy says, by line."""
         folder = tempfile.TemporaryDirectory()
@@ -131,7 +138,7 @@ class Types(unittest.TestCase):
         with open(file, "w", encoding="utf-8") as opened:
             opened.write(program)
         done = subprocess.run(
-            ["mypy", "--cache-dir", os.path.join(folder.name, "cache"), "--ignore-missing-imports", "--check-untyped-defs", file],
+            ["mypy", "--cache-dir", self.cache, "--ignore-missing-imports", "--check-untyped-defs", file],
             capture_output=True,
             text=True,
             check=False,
