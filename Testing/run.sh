@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # run.sh [--all | --long]: install packages, build in build-test/ with warnings as errors, and run the tests. 25 minutes
-# on two cores; 60 with --all, which adds sanitizers, another compiler, another VTK and the wheel; hours with
+# on two cores; 45 with --all, which adds sanitizers, another compiler, another VTK and the wheel; hours with
 # --long (README.md beside this file).
 set -eu
 cd "$(dirname "$0")/.."
