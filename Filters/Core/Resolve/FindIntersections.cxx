@@ -6,6 +6,7 @@
 #include "Common/Stages.h"
 #include "Resolve/FacetsNearOthers.h"
 #include "Resolve/MeetBeyondSharedCorners.h"
+#include "Resolve/OrientedBoxTree.h"
 #include "Terrain/SurfaceParts.h"
 
 #include <algorithm>
@@ -36,6 +37,18 @@ constexpr std::size_t ManyPairs = 4096;
  * off.
  */
 constexpr std::size_t ManyFacets = 8192;
+
+/**
+ * From this number of pairs of boxes per facet on, as among needles, an OrientedBoxTree pays off:
+ * 52 pairs take equally long. They are counted in one of PerSample tasks, if there are enough
+ * facets.
+ */
+constexpr double ManyPairsPerFacet = 64;
+constexpr std::size_t PerSample = 61; // not the size of a subtree
+constexpr std::size_t LeastForSample = 1024;
+
+/** Tasks of a search among needles, whose costs differ. */
+constexpr std::size_t ManyTasks = 4096;
 
 /** Call search(i, pairs) for every i below count, on all threads. @return all pairs found, sorted
  */
@@ -77,6 +90,17 @@ public:
     return boxes;
   }
 
+  OrientedBoxTree OrientedTreeOf(const std::vector<Id>& facets, const std::vector<Id>& sets) const
+  {
+    std::vector<Triangle> corners;
+    corners.reserve(facets.size());
+    for (const Id f : facets)
+    {
+      corners.push_back(this->Facets[f]);
+    }
+    return { this->Points, corners, sets };
+  }
+
   void Compare(Id i, Id j, Pairs& pairs) const
   {
     if (MeetBeyondSharedCorners(this->Points, this->Facets[i], this->Facets[j]))
@@ -90,12 +114,50 @@ private:
   const std::vector<Triangle>& Facets;
 };
 
+/**
+ * Whether a sample has more than ManyPairsPerFacet pairs of boxes.
+ * @param[in] visitPairs visitPairs(i, visit) visits the pairs of boxes of task i
+ */
+template <class VisitPairs>
+bool MeetOften(std::size_t facets, std::size_t tasks, const VisitPairs& visitPairs)
+{
+  double pairs = 0;
+  double samples = 0;
+  for (std::size_t i = 0; facets >= LeastForSample && i < tasks; i += PerSample)
+  {
+    visitPairs(static_cast<Id>(i), [&](Id, Id) { ++pairs; });
+    ++samples;
+  }
+  return pairs * static_cast<double>(tasks) >
+    ManyPairsPerFacet * static_cast<double>(facets) * samples;
+}
+
+/** The same as SearchBetweenSets, among needles. */
+Pairs SearchNeedles(const FacetComparer& comparer, const std::vector<Id>& facets,
+  const std::vector<Id>& sets, Monitor& monitor)
+{
+  const OrientedBoxTree tree = comparer.OrientedTreeOf(facets, sets);
+  const std::vector<OrientedBoxTree::Task> tasks = tree.Tasks(ManyTasks);
+  return Collect(static_cast<Id>(tasks.size()), NanosecondsPerFacet * BlockSize, monitor,
+    [&](Id task, Pairs& pairs)
+    {
+      tree.VisitPairs(
+        tasks[task], [&](Id a, Id b) { comparer.Compare(facets[a], facets[b], pairs); });
+    });
+}
+
 /** Search some facets for pairs of different sets. @param[in] sets one per facet of these */
 Pairs SearchBetweenSets(const FacetComparer& comparer, const std::vector<Id>& facets,
   const std::vector<Id>& sets, Monitor& monitor)
 {
   const BoxTree tree(comparer.BoxesOf(facets));
   const std::vector<Id> setsOfParts = tree.SetsOfParts(sets);
+  const auto visitPairs = [&](Id part, const auto& visit)
+  { tree.VisitPairsBetween(part, sets, setsOfParts, visit); };
+  if (MeetOften(facets.size(), tree.NumberOfParts(), visitPairs))
+  {
+    return SearchNeedles(comparer, facets, sets, monitor);
+  }
   const Id blocks = (tree.NumberOfParts() + BlockSize - 1) / BlockSize;
   return Collect(blocks, NanosecondsPerFacet * BlockSize, monitor,
     [&](Id block, Pairs& pairs)
@@ -103,8 +165,7 @@ Pairs SearchBetweenSets(const FacetComparer& comparer, const std::vector<Id>& fa
       const Id begin = block * BlockSize;
       for (Id part = begin; part < std::min(begin + BlockSize, tree.NumberOfParts()); ++part)
       {
-        tree.VisitPairsBetween(part, sets, setsOfParts,
-          [&](Id a, Id b) { comparer.Compare(facets[a], facets[b], pairs); });
+        visitPairs(part, [&](Id a, Id b) { comparer.Compare(facets[a], facets[b], pairs); });
       }
     });
 }
@@ -156,21 +217,16 @@ public:
     {
       tree.VisitPairs(node, [&](Id a, Id b) { meeting.push_back({ a, b }); });
     }
+    const auto visitPairs = [&](Id i, const auto& visit) { this->Visit(meeting[i], visit); };
+    if (MeetOften(this->Surface.Facets.size(), meeting.size(), visitPairs))
+    {
+      return SearchNeedles(this->Comparer, this->Surface.Facets, this->Sets(), monitor);
+    }
     const double facets = static_cast<double>(this->Surface.Facets.size());
     return Collect(static_cast<Id>(meeting.size()),
       NanosecondsPerFacet * facets / static_cast<double>(meeting.size() + 1), monitor,
       [&](Id i, Pairs& pairs)
-      {
-        const auto [a, b] = meeting[i];
-        if (a == b)
-        {
-          this->SearchIn(this->Surface.Parts[a], pairs);
-        }
-        else
-        {
-          this->SearchBetween(a, b, pairs);
-        }
-      });
+      { visitPairs(i, [&](Id a, Id b) { this->Comparer.Compare(a, b, pairs); }); });
   }
 
 private:
@@ -189,7 +245,9 @@ private:
     }
   };
 
-  void SearchIn(const SurfacePart& part, Pairs& pairs) const
+  /** Call visit(i, j) for facets i and j of a part whose boxes meet. */
+  template <class Visitor>
+  void VisitWithin(const SurfacePart& part, const Visitor& visit) const
   {
     Some all;
     for (Id i = part.Begin; i < part.End; ++i)
@@ -199,8 +257,7 @@ private:
     const BoxTree tree(all.Boxes);
     for (Id node = 0; node < tree.NumberOfParts(); ++node)
     {
-      tree.VisitPairs(
-        node, [&](Id i, Id j) { this->Comparer.Compare(all.Facets[i], all.Facets[j], pairs); });
+      tree.VisitPairs(node, [&](Id i, Id j) { visit(all.Facets[i], all.Facets[j]); });
     }
   }
 
@@ -226,7 +283,9 @@ private:
     return some;
   }
 
-  void SearchBetween(Id a, Id b, Pairs& pairs) const
+  /** The same for facets of two parts. */
+  template <class Visitor>
+  void VisitBetween(Id a, Id b, const Visitor& visit) const
   {
     const Some first = this->Within(a, this->BoxesOfParts[b]);
     const Some second = this->Within(b, first.Bounds);
@@ -235,8 +294,7 @@ private:
       const BoxTree tree(first.Boxes);
       for (std::size_t j = 0; j < second.Facets.size(); ++j)
       {
-        tree.Visit(second.Boxes[j],
-          [&](Id i) { this->Comparer.Compare(first.Facets[i], second.Facets[j], pairs); });
+        tree.Visit(second.Boxes[j], [&](Id i) { visit(first.Facets[i], second.Facets[j]); });
       }
       return;
     }
@@ -246,10 +304,38 @@ private:
       {
         if (first.Boxes[i].Meets(second.Boxes[j]))
         {
-          this->Comparer.Compare(first.Facets[i], second.Facets[j], pairs);
+          visit(first.Facets[i], second.Facets[j]);
         }
       }
     }
+  }
+
+  /** The same for two parts, or twice the same. */
+  template <class Visitor>
+  void Visit(const std::array<Id, 2>& parts, const Visitor& visit) const
+  {
+    if (parts[0] == parts[1])
+    {
+      this->VisitWithin(this->Surface.Parts[parts[0]], visit);
+    }
+    else
+    {
+      this->VisitBetween(parts[0], parts[1], visit);
+    }
+  }
+
+  /** Per facet of the surface a set: that of its terrain, or its own. */
+  std::vector<Id> Sets() const
+  {
+    std::vector<Id> sets(this->Surface.Facets.size());
+    for (const SurfacePart& part : this->Surface.Parts)
+    {
+      for (Id i = part.Begin; i < part.End; ++i)
+      {
+        sets[i] = part.IsTerrain ? part.Begin : i;
+      }
+    }
+    return sets;
   }
 
   const FacetComparer& Comparer;

@@ -3,6 +3,7 @@
 
 #include "Common/Team.h"
 #include "Resolve/FacetsNearOthers.h"
+#include "Resolve/MeetBeyondSharedCorners.h"
 #include "Support/ExactReference.h"
 #include "Support/TestMeshes.h"
 
@@ -44,6 +45,31 @@ bool MeetsFixed(const std::vector<Point>& more, const Triangle& other)
   } while (std::next_permutation(order.begin(), order.end()));
   EXPECT_EQ(answers.size(), 1u);
   return *answers.begin() == 1;
+}
+
+/** Fans of needles, and a needle that crosses each fan: the last triangle. */
+TriangleSoup CrossedFans(int fans, int needles)
+{
+  const double above = 50 + 0.0004 * fans;
+  return Join(SlantedFans(fans, needles),
+    { { { 49.99, 49.8, 50.02 }, { above + 0.1, above - 0.1, 50 - 2 * (above - 50) },
+        { above + 0.2, above - 0.1, 50 - 2 * (above - 50) } },
+      { { 0, 1, 2 } } });
+}
+
+/** All pairs with the last triangle that meet beyond shared corners. */
+Pairs PairsWithTheLast(const TriangleSoup& soup)
+{
+  Pairs pairs;
+  const Id last = static_cast<Id>(soup.Triangles.size()) - 1;
+  for (Id f = 0; f < last; ++f)
+  {
+    if (MeetBeyondSharedCorners(soup.Points, soup.Triangles[f], soup.Triangles[last]))
+    {
+      pairs.push_back({ f, last });
+    }
+  }
+  return pairs;
 }
 
 /** Stops at its n-th question. */
@@ -152,6 +178,17 @@ TEST(FindIntersections, IsTheDefinitionOnRandomSoups)
   }
 }
 
+TEST(FindIntersections, IsTheDefinitionAmongNeedles)
+{
+  for (const int needles : { 40, 256 }) // by facets, and by parts
+  {
+    const TriangleSoup soup = CrossedFans(32, needles);
+    const Pairs expected = PairsWithTheLast(soup);
+    EXPECT_GE(expected.size(), 32u);
+    EXPECT_EQ(Find(soup), expected);
+  }
+}
+
 TEST(FindIntersections, IsTheSameAtEveryScale)
 {
   for (unsigned seed = 0; seed < 20; ++seed)
@@ -215,16 +252,19 @@ TEST(FindIntersections, IsTheSameForAnyThreadCount)
 {
   const WholeTeams teams;
   const int threads = omp_get_max_threads();
-  const TriangleSoup soup = RandomSoup(1, 1500);
-  omp_set_num_threads(1);
-  const Pairs one = Find(soup);
-  for (const int n : { 2, 8 })
+  for (const TriangleSoup& soup :
+    { RandomSoup(1, 1000), RandomSoup(1, 1500), CrossedFans(32, 256) })
   {
-    omp_set_num_threads(n);
-    EXPECT_EQ(Find(soup), one);
+    omp_set_num_threads(1);
+    const Pairs one = Find(soup);
+    for (const int n : { 2, 8 })
+    {
+      omp_set_num_threads(n);
+      EXPECT_EQ(Find(soup), one);
+    }
+    EXPECT_GE(one.size(), 32u);
   }
   omp_set_num_threads(threads);
-  EXPECT_GT(one.size(), 1000u);
 }
 
 TEST(FindIntersections, CanBeStopped)

@@ -152,6 +152,27 @@ TriangleSoup ThroughOnePoint(unsigned seed, int count)
   return soup;
 }
 
+TriangleSoup SlantedFans(int fans, int needles)
+{
+  TriangleSoup soup;
+  for (int fan = 0; fan < fans; ++fan)
+  {
+    const double lift = 0.0004 * fan; // along (1, 1, -2), the normal of all
+    const Id apex = static_cast<Id>(soup.Points.size());
+    soup.Points.push_back({ lift, lift, -2 * lift });
+    for (Id i = 0; i <= needles; ++i)
+    {
+      const double aside = 0.7 * i / needles; // along (1, -1, 0)
+      soup.Points.push_back({ 100 + lift + aside, 100 + lift - aside, 100 - 2 * lift });
+      if (i > 0)
+      {
+        soup.Triangles.push_back({ apex, apex + i + 1, apex + i });
+      }
+    }
+  }
+  return soup;
+}
+
 TriangleSoup Comb(int teeth)
 {
   TriangleSoup comb;

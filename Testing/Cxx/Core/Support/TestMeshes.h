@@ -67,6 +67,13 @@ TriangleSoup Merged(const TriangleSoup& soup);
  */
 TriangleSoup Fan(int blades);
 
+/**
+ * `fans` fans of `needles` needles of length 173 each, 0.001 apart from each other and 1 wide, in
+ * parallel planes along a diagonal of space: the bounding boxes of all triangles meet, and they
+ * meet in no more than common corners and edges.
+ */
+TriangleSoup SlantedFans(int fans, int needles);
+
 /** `count` random triangles that all contain the origin, up to rounding, away from their edges. */
 TriangleSoup ThroughOnePoint(unsigned seed, int count);
 
