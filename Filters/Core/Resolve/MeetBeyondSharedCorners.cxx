@@ -213,25 +213,39 @@ bool ClearlyOnOneSide(const CornersInPlace& a, const CornersInPlace& b)
   return true;
 }
 
+/** The vector from a point to the center of a triangle, three times as long. */
+Point TowardCenter(const Point& from, const CornersInPlace& triangle)
+{
+  Point sum{};
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point more = Difference(triangle[k], from);
+    sum = { sum[0] + more[0], sum[1] + more[1], sum[2] + more[2] };
+  }
+  return sum;
+}
+
 /**
  * Whether triangles with at most one shared corner are certainly apart beyond it. A plane through
- * that corner, across the line between their centers, then separates them. This spares coplanar
- * neighbors the exact arithmetic. NaN after overflow compares as false, which is safe.
+ * that corner, which halves the angle between the directions to their centers, then separates them;
+ * without a shared corner one across the line between the centers. This spares coplanar neighbors
+ * the exact arithmetic. NaN after overflow compares as false, which is safe.
  */
 bool ClearlyApart(const CornersInPlace& a, const std::array<int, 3>& sharedOfA,
   const CornersInPlace& b, const std::array<int, 3>& sharedOfB)
 {
-  const Point* origin = &a[0];
-  bool through = false;
-  std::array<double, 3> direction;
-  for (int k = 0; k < 3; ++k)
+  const auto corner =
+    std::find_if(sharedOfA.begin(), sharedOfA.end(), [](int other) { return other != None; });
+  const bool through = corner != sharedOfA.end();
+  const Point* const origin = &a[through ? static_cast<int>(corner - sharedOfA.begin()) : 0];
+  const Point toA = TowardCenter(*origin, a);
+  const Point toB = TowardCenter(*origin, b);
+  const double weightOfA = through ? std::sqrt(Dot(toB, toB)) : 1;
+  const double weightOfB = through ? std::sqrt(Dot(toA, toA)) : 1;
+  Point direction;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    direction[k] = (a[0][k] + a[1][k] + a[2][k]) - (b[0][k] + b[1][k] + b[2][k]);
-    if (sharedOfA[k] != None)
-    {
-      origin = &a[k];
-      through = true;
-    }
+    direction[axis] = weightOfA * toA[axis] - weightOfB * toB[axis];
   }
   std::array<Estimate, 3> ofB;
   for (int k = 0; k < 3; ++k)
