@@ -89,16 +89,35 @@ Axes AxesFor(const std::vector<Point>& corners)
   return AreOrthonormal(axes) ? axes : Axes{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
 }
 
+Point Along(const Axes& axes, const Point& x)
+{
+  return { Dot(axes[0], x), Dot(axes[1], x), Dot(axes[2], x) };
+}
+
 /** Boxes of triangles along axes. @param[in] corners three per triangle */
 std::vector<Box> BoxesAlong(const Axes& axes, const std::vector<Point>& corners)
 {
   std::vector<Box> boxes(corners.size() / 3, Box::Empty());
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    const Point& x = corners[i];
-    boxes[i / 3].Add(Point{ Dot(axes[0], x), Dot(axes[1], x), Dot(axes[2], x) });
+    boxes[i / 3].Add(Along(axes, corners[i]));
   }
   return boxes;
+}
+
+/** The box along axes of all corners but one. @param[in] ids of the corners */
+Box BaseAlong(
+  const Axes& axes, const std::vector<Point>& corners, const std::vector<Id>& ids, Id tip)
+{
+  Box base = Box::Empty();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    if (ids[i] != tip)
+    {
+      base.Add(Along(axes, corners[i]));
+    }
+  }
+  return base;
 }
 
 OrientedBox MakeOrientedBox(
@@ -116,6 +135,15 @@ OrientedBox MakeOrientedBox(
     box.Error += RelativeError * (std::abs(bounds.Low[i]) + std::abs(bounds.High[i]));
   }
   return box;
+}
+
+/** A corner of all facets, None if there is none. @param[in] ids of the corners, three per facet */
+Id CommonCorner(const std::vector<Id>& ids)
+{
+  const auto isCommon = [&](Id id)
+  { return 3 * static_cast<std::size_t>(std::count(ids.begin(), ids.end(), id)) == ids.size(); };
+  const auto found = std::find_if(ids.begin(), ids.begin() + 3, isCommon);
+  return found == ids.begin() + 3 ? None : *found;
 }
 
 Point CenterOf(const Box& box)
@@ -197,9 +225,25 @@ bool AreApart(const OrientedBox& a, const OrientedBox& b)
     a.Half[2] * sizes[1][0] + b.Half[1] * sizes[0][2] + b.Half[2] * sizes[0][1] + error;
 }
 
+bool AreApartSeenFrom(const Point& tip, const OrientedBox& a, const OrientedBox& b)
+{
+  const Point toA = Difference(a.Center, tip);
+  const Point toB = Difference(b.Center, tip);
+  const Point across = Unit(Difference(Unit(toA), Unit(toB))); // the plane halves the angle
+  double heightOfA = Dot(across, toA);
+  double heightOfB = -Dot(across, toB);
+  for (int i = 0; i < 3; ++i)
+  {
+    heightOfA -= a.Half[i] * std::abs(Dot(across, a.Axes[i]));
+    heightOfB -= b.Half[i] * std::abs(Dot(across, b.Axes[i]));
+  }
+  return std::min(heightOfA, heightOfB) > a.Error + b.Error;
+}
+
 OrientedBoxTree::OrientedBoxTree(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, const std::vector<Id>& setOf)
-  : Order(facets.size())
+  : Points(points)
+  , Order(facets.size())
   , Boxes(facets.size())
   , Sets(facets.size())
 {
@@ -216,17 +260,18 @@ OrientedBoxTree::OrientedBoxTree(const std::vector<Point>& points,
   for (std::size_t level = 1; level <= leaves; level *= 2)
   {
     ParallelLoop(level, NanosecondsPerFacet * static_cast<double>(facets.size() / level),
-      [&](std::size_t i) { this->Build(points, facets, setOf, level - 1 + i); });
+      [&](std::size_t i) { this->Build(facets, setOf, level - 1 + i); });
   }
 }
 
 /** Make a node whose facets are known, and pass these on to its children. */
-void OrientedBoxTree::Build(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-  const std::vector<Id>& setOf, std::size_t number)
+void OrientedBoxTree::Build(
+  const std::vector<Triangle>& facets, const std::vector<Id>& setOf, std::size_t number)
 {
   Node& node = this->Nodes[number];
-  const Point origin = points[facets[this->Order[node.Begin]][0]]; // keeps differences accurate
+  const Point origin = this->Points[facets[this->Order[node.Begin]][0]]; // for exact differences
   std::vector<Point> corners;
+  std::vector<Id> ids;
   node.Bounds = Box::Empty();
   node.Set = setOf[this->Order[node.Begin]];
   for (Id i = node.Begin; i < node.End; ++i)
@@ -235,8 +280,9 @@ void OrientedBoxTree::Build(const std::vector<Point>& points, const std::vector<
     node.Set = setOf[facet] == node.Set ? node.Set : None;
     for (const Id p : facets[facet])
     {
-      node.Bounds.Add(points[p]);
-      corners.push_back(Difference(points[p], origin));
+      node.Bounds.Add(this->Points[p]);
+      corners.push_back(Difference(this->Points[p], origin));
+      ids.push_back(p);
     }
   }
   const Axes axes = AxesFor(corners);
@@ -247,30 +293,45 @@ void OrientedBoxTree::Build(const std::vector<Point>& points, const std::vector<
     whole.Add(box);
   }
   node.Own = MakeOrientedBox(origin, axes, whole, node.Bounds);
-  node.Size = *std::max_element(node.Own.Half.begin(), node.Own.Half.end());
-  if (!this->IsLeaf(number))
+  node.Tip = CommonCorner(ids);
+  if (node.Tip != None)
   {
-    Halve(&this->Order[node.Begin], along);
-    const Id middle = node.Begin + (node.End - node.Begin) / 2;
-    Node* const halves = &this->Nodes[2 * number + 1];
-    halves[0].Begin = node.Begin;
-    halves[0].End = halves[1].Begin = middle;
-    halves[1].End = node.End;
+    const Box base = BaseAlong(axes, corners, ids, node.Tip);
+    node.Base = MakeOrientedBox(origin, axes, base, node.Bounds);
+  }
+  node.Size = *std::max_element(node.Own.Half.begin(), node.Own.Half.end());
+  if (this->IsLeaf(number))
+  {
+    for (Id i = node.Begin; i < node.End; ++i)
+    {
+      this->Boxes[i] = BoundingBox(this->Points, facets[this->Order[i]]);
+      this->Sets[i] = setOf[this->Order[i]];
+    }
     return;
   }
-  for (Id i = node.Begin; i < node.End; ++i)
-  {
-    this->Boxes[i] = BoundingBox(points, facets[this->Order[i]]);
-    this->Sets[i] = setOf[this->Order[i]];
-  }
+  Halve(&this->Order[node.Begin], along);
+  const Id middle = node.Begin + (node.End - node.Begin) / 2;
+  Node* const halves = &this->Nodes[2 * number + 1];
+  halves[0].Begin = node.Begin;
+  halves[0].End = halves[1].Begin = middle;
+  halves[1].End = node.End;
 }
 
 bool OrientedBoxTree::MayMeet(const Task& task) const
 {
   const Node& a = this->Nodes[task[0]];
   const Node& b = this->Nodes[task[1]];
-  const bool inOneSet = a.Set != None && a.Set == b.Set;
-  return !inOneSet && (task[0] == task[1] || (a.Bounds.Meets(b.Bounds) && !AreApart(a.Own, b.Own)));
+  if (a.Set != None && a.Set == b.Set)
+  {
+    return false;
+  }
+  if (task[0] == task[1])
+  {
+    return true;
+  }
+  const bool haveOneTip = a.Tip != None && a.Tip == b.Tip;
+  return a.Bounds.Meets(b.Bounds) && !AreApart(a.Own, b.Own) &&
+    !(haveOneTip && AreApartSeenFrom(this->Points[a.Tip], a.Base, b.Base));
 }
 
 /** Divide a task that is not one of leaves: the larger node first. */

@@ -24,13 +24,17 @@ struct OrientedBox
  */
 bool AreApart(const OrientedBox& a, const OrientedBox& b);
 
+/** Whether a plane through a point certainly separates boxes, and so what joins them to it. */
+bool AreApartSeenFrom(const Point& tip, const OrientedBox& a, const OrientedBox& b);
+
 /**
  * A binary tree over triangles that finds those that may meet. Among needles, whose bounding boxes
  * meet far more often than they do, this is faster than a BoxTree; elsewhere, slower.
  *
  * The facets of a node have an oriented box. They are halved at the median along that axis of it on
  * which their centers extend farthest, as a multiple of the facets' mean extent: needles side by
- * side are separated across their length.
+ * side are separated across their length. Needles of a fan are apart if their other corners are,
+ * seen from the common one.
  */
 class OrientedBoxTree
 {
@@ -39,6 +43,7 @@ public:
   using Task = std::array<std::size_t, 2>;
 
   /**
+   * @param[in] points the tree keeps a reference to them
    * @param[in] facets at least one
    * @param[in] setOf one per facet, not None
    */
@@ -49,8 +54,8 @@ public:
   std::vector<Task> Tasks(std::size_t number) const;
 
   /**
-   * Call visit(i, j) for facets i and j of different sets whose bounding boxes meet, unless the
-   * oriented boxes of nodes around them are apart. All tasks together give no pair twice.
+   * Call visit(i, j) for facets i and j of different sets whose bounding boxes meet, unless nodes
+   * that hold them are apart beyond common corners. All tasks together give no pair twice.
    */
   template <class Visitor>
   void VisitPairs(const Task& task, const Visitor& visit) const
@@ -80,8 +85,10 @@ private:
   {
     Box Bounds;
     OrientedBox Own;
-    double Size; ///< the largest half extent of the oriented box
-    Id Begin;    ///< of its facets in the order
+    Id Tip;           ///< a corner of all its facets, or None
+    OrientedBox Base; ///< of their other corners, if there is a tip
+    double Size;      ///< the largest half extent of the oriented box
+    Id Begin;         ///< of its facets in the order
     Id End;
     Id Set; ///< the common set of its facets, or None
   };
@@ -89,8 +96,7 @@ private:
   bool IsLeaf(std::size_t node) const { return node >= this->FirstLeaf; }
   bool MayMeet(const Task& task) const;
   void Divide(const Task& task, std::vector<Task>& parts) const;
-  void Build(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-    const std::vector<Id>& setOf, std::size_t node);
+  void Build(const std::vector<Triangle>& facets, const std::vector<Id>& setOf, std::size_t node);
 
   template <class Visitor>
   void VisitLeaves(const Task& task, const Visitor& visit) const
@@ -109,6 +115,7 @@ private:
     }
   }
 
+  const std::vector<Point>& Points;
   std::vector<Id> Order; ///< of the facets in the leaves
   RawVector<Box> Boxes;  ///< in that order
   RawVector<Id> Sets;    ///< in that order

@@ -59,9 +59,13 @@ TEST(OrientedBoxTree, VisitsEveryPairThatMeetsOnceAtEveryScale)
 {
   for (unsigned seed = 0; seed < 24; ++seed)
   {
-    const TriangleSoup soup = seed % 3 == 0 ? GridSoup(seed, 100, 3)
-      : seed % 3 == 1                       ? RandomSoup(seed, 100)
-                                            : Join(SlantedFans(10, 10), RandomSoup(seed, 20));
+    TriangleSoup soup = seed % 3 == 0 ? GridSoup(seed, 100, 3)
+      : seed % 3 == 1                 ? RandomSoup(seed, 100)
+                                      : Join(SlantedFans(10, 10), RandomSoup(seed, 20));
+    if (seed % 3 == 2)
+    {
+      soup.Triangles.push_back({ 0, 1, 6 }); // overlaps needles at the same tip
+    }
     const Pairs meeting = Meeting(soup);
     ASSERT_FALSE(meeting.empty()) << "seed " << seed;
     for (const int exponent : { 0, -1000, -500, 500, 1015 }) // squares and sums over- and underflow
@@ -88,6 +92,12 @@ TEST(OrientedBoxTree, VisitsFewPairsOfNeedlesSideBySide)
     fans.push_back(f / 40);
   }
   EXPECT_LT(Visited(soup, fans).size(), 16u * 1600u); // bounding boxes: 1.2 million
+}
+
+TEST(OrientedBoxTree, VisitsFewPairsOfAFan)
+{
+  const TriangleSoup soup = SlantedFans(1, 1600);
+  EXPECT_LT(Visited(soup, OwnSets(soup)).size(), 16u * 1600u); // bounding boxes: 1.3 million
 }
 
 TEST(OrientedBoxTree, VisitsOnlyPairsOfDifferentSets)
@@ -118,4 +128,14 @@ TEST(OrientedBoxTree, KeepsBoxesThatTouch)
   turned.Axes = { { { 0.6, 0.8, 0 }, { -0.8, 0.6, 0 }, { 0, 0, 1 } } };
   EXPECT_FALSE(AreApart(turned, boxAt(2.39)));
   EXPECT_TRUE(AreApart(turned, boxAt(2.41)));
+}
+
+TEST(OrientedBoxTree, KeepsBoxesThatOverlapSeenFromATip)
+{
+  const auto boxAt = [](double x) -> OrientedBox {
+    return { { x, 0, 10 }, { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }, { 1, 1, 0 }, 1e-12 };
+  };
+  EXPECT_FALSE(AreApartSeenFrom({ 0, 0, 0 }, boxAt(-1), boxAt(1)));
+  EXPECT_TRUE(AreApartSeenFrom({ 0, 0, 0 }, boxAt(-1.001), boxAt(1.001)));
+  EXPECT_FALSE(AreApartSeenFrom({ 0, 0, 0 }, boxAt(0), boxAt(0)));
 }
