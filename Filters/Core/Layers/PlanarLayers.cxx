@@ -155,17 +155,20 @@ private:
     std::vector<Id> used = this->FreePoints(this->Segments);
     for (const SegmentBehind& segment : this->Segments)
     {
-      used.push_back(this->Pushed.First(segment.Ends[0]));
-      used.push_back(this->Pushed.First(segment.Ends[1]));
+      used.insert(used.end(), segment.Ends.begin(), segment.Ends.end());
     }
     SortUniquely(used);
     SegmentComplex curve;
-    std::vector<Id> numbers(this->Pushed.Places.size(), None);
+    std::vector<Id> numbers(this->Pushed.Places.size(), None); // per first of equal places
     for (const Id place : used)
     {
-      numbers[place] = static_cast<Id>(curve.Points.size());
-      curve.Points.push_back(this->Pushed.Places[place]);
-      curve.Origins.push_back(PointOrigin::Input(place));
+      Id& number = numbers[this->Pushed.First(place)];
+      if (number == None)
+      {
+        number = static_cast<Id>(curve.Points.size());
+        curve.Points.push_back(this->Pushed.Places[place]);
+        curve.Origins.push_back(PointOrigin::Input(place));
+      }
     }
     for (std::size_t i = 0; i < this->Segments.size(); ++i)
     {
@@ -265,7 +268,7 @@ private:
     const PlanarMesh& mesh = this->Refined.Mesh;
     const Id point = mesh.Cells[cell][corner];
     const Id place = this->PlaceOf[point];
-    if (place == None || this->HasCopies[place] == 0)
+    if (place == None || this->HasCopies[this->Pushed.First(place)] == 0)
     {
       return point + this->FirstBehind;
     }
@@ -445,7 +448,7 @@ private:
   std::vector<SegmentBehind> Segments;
   RefinedTriangles Refined;    ///< a source of a segment is its number among Segments
   std::vector<Id> PlaceOf;     ///< per point of Refined; None for a new one
-  std::vector<char> HasCopies; ///< per place, whether other points of the result are there too
+  std::vector<char> HasCopies; ///< per first of equal places, whether several are used behind
   std::vector<Id> Numbers;     ///< per place, its point of the result
   std::vector<Id> FirstBorder; ///< per point, that of the result on the inner border of layer 1
   Id FirstBehind = 0;          ///< number of the result's points before those of Refined

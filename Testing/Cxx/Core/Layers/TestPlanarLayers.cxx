@@ -187,6 +187,12 @@ std::string Broken(const Sheet& sheet, const std::vector<Id>& wall, const Planar
       ? "a point of the input has moved; "
       : "";
   }
+  std::set<Id> used;
+  for (const std::vector<Id>& cell : cells)
+  {
+    used.insert(cell.begin(), cell.end());
+  }
+  broken += used.size() != made.Points.size() ? "a point is of no cell; " : "";
   broken += made.Layers.size() != cells.size() || made.OriginalCells.size() != cells.size() ||
       made.CellsOfPoints.size() != made.Points.size()
     ? "a list is too short; "
