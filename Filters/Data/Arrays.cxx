@@ -2,11 +2,13 @@
 #include "Data/Arrays.h"
 
 #include "Common/Error.h"
+#include "Common/Vectors.h"
 
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -28,6 +30,16 @@ std::vector<insideout::Point> ReadPoints(vtkDataSet* input, const std::string& n
     input->GetPoint(static_cast<vtkIdType>(p), points[p].data());
   }
   return points;
+}
+
+void RequireFinite(const std::vector<insideout::Point>& points)
+{
+  const auto bad = std::find_if_not(points.begin(), points.end(), insideout::IsFinite);
+  if (bad != points.end())
+  {
+    throw insideout::Error(insideout::ErrorCode::PointNotFinite,
+      "point " + std::to_string(bad - points.begin()) + " is not finite");
+  }
 }
 
 void RequireMemory(vtkIdType bytes)

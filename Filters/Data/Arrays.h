@@ -25,6 +25,9 @@ namespace vtkInsideOut
  */
 std::vector<insideout::Point> ReadPoints(vtkDataSet* input, const std::string& name);
 
+/** @throws insideout::Error PointNotFinite that names the first point which is not finite */
+void RequireFinite(const std::vector<insideout::Point>& points);
+
 /**
  * To be called before VTK's arrays allocate: without memory they end the program, if VTK was built
  * with assertions, as Debian's is.

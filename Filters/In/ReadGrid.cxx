@@ -3,7 +3,6 @@
 
 #include "Common/Error.h"
 #include "Common/SortUniquely.h"
-#include "Common/Vectors.h"
 #include "Data/Arrays.h"
 #include "GraphCut/ConnectCells.h"
 
@@ -115,13 +114,7 @@ GridTetrahedra ReadCells(vtkUnstructuredGrid* grid, bool takesLayers)
   std::vector<vtkIdType> pyramids;
   std::vector<vtkIdType> prisms;
   tetrahedra.Points = ReadPoints(grid, "the grid");
-  const auto bad = std::find_if(tetrahedra.Points.begin(), tetrahedra.Points.end(),
-    [](const Point& point) { return !IsFinite(point); });
-  if (bad != tetrahedra.Points.end())
-  {
-    throw Error(ErrorCode::PointNotFinite,
-      "point " + std::to_string(bad - tetrahedra.Points.begin()) + " is not finite");
-  }
+  RequireFinite(tetrahedra.Points);
   vtkNew<vtkIdList> ids;
   vtkNew<vtkGenericCell> other;
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)

@@ -157,6 +157,7 @@ void AddConstraints(vtkUnstructuredGrid* grid, Id label, PlanarSolid& solid)
 void AddLines(vtkPolyData* boundary, PlanarSolid& solid)
 {
   const std::vector<Point> points = ReadPoints(boundary, "the boundary");
+  RequireFinite(points);
   std::map<std::pair<Point, Point>, Id> edges;
   for (Id c = 0; c < solid.Mesh.NumberOfCells(); ++c)
   {
@@ -198,6 +199,7 @@ PlanarSolid ReadPlanarSolid(vtkUnstructuredGrid* grid, vtkPolyData* boundary)
 {
   PlanarSolid solid;
   solid.Points = ReadPoints(grid, "the grid");
+  RequireFinite(solid.Points);
   ReadTriangles(grid, solid);
   PutInPlane(solid);
   Connect(solid);

@@ -33,8 +33,9 @@ struct PlanarSolid
  * cells of different RegionId, and those with FacetIds of at least 0, where there are such arrays.
  *
  * @param[in] boundary lines with the solid on their left; null: all edges of one cell have one tag
- * @throws insideout::Error that names the cell that is no positive triangle, the edge of three
- * cells, the line that is no edge of one cell; InvalidParameter if they lie in no plane
+ * @throws insideout::Error that names the point that is not finite, the cell that is no positive
+ * triangle, the edge of three cells, the line that is no edge of one cell; InvalidParameter if they
+ * lie in no plane
  */
 PlanarSolid ReadPlanarSolid(vtkUnstructuredGrid* grid, vtkPolyData* boundary);
 } // namespace vtkInsideOut

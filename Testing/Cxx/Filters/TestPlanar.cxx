@@ -37,6 +37,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -651,6 +652,8 @@ TEST(vtkBoundaryLayers, NamesWhatIsWrongInAPlane)
   const Data around = linesOf({ { 0, 1, 2, 3, 0 } });
   std::vector<Place> bent = square;
   bent[3][2] = 0.1;
+  std::vector<Place> endless = square;
+  endless[3][1] = std::numeric_limits<double>::quiet_NaN();
   vtkNew<vtkUnstructuredGrid> mixed;
   mixed->SetPoints(good->GetPoints());
   mixed->Allocate(2);
@@ -670,6 +673,8 @@ TEST(vtkBoundaryLayers, NamesWhatIsWrongInAPlane)
       "the edge between points 0 and 1 has several triangles on one side" },
     { gridOf(square, { { 0, 1, 2 }, { 0, 2, 7 } }), nullptr, "cell 1 refers to point 7 of 4" },
     { mixed.Get(), nullptr, "cell 1 is of VTK's type 9" },
+    { gridOf(endless, { { 0, 1, 2 }, { 0, 2, 3 } }), nullptr, "point 3 is not finite" },
+    { good, MakeData(endless, { { 0, 1 } }), "point 3 is not finite" },
     { good, linesOf({ { 0, 3, 2, 1, 0 } }), "line 0 of the boundary goes from point 0 to 3" },
     { good, linesOf({ { 0, 1 }, { 0, 2 } }), "line 1 of the boundary goes from point 0 to 2" },
     { good, MakeData(square, {}, { { 0, 1, 2 } }), "cells that are not lines" } };
