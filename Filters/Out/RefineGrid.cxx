@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -420,30 +421,50 @@ void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameter
   }
 }
 
-/** RefineGrid by the treatment given. */
-Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
-  const RefinementParameters& given, bool quadratic, Monitor& monitor)
+/** A grid to be refined, and how. */
+struct GridToRefine
 {
-  Stopwatch stopwatch;
-  CheckGrid(grid);
-  RefinementParameters parameters = given;
-  const bool isKept = parameters.Surface == SurfaceTreatment::Kept;
-  const std::vector<Id> ownRegions = ReadRegions(grid);
-  const std::vector<Id> regions = isKept ? SplitByBodies(ownRegions, grid) : ownRegions;
-  const TetrahedralMesh mesh = ReadTetrahedra(grid);
-  NameSizes(grid, boundary, parameters.Sizes);
-  const bool needsTags = parameters.Surface == SurfaceTreatment::Remeshed ||
-    parameters.MendsSurface || SizesNameTags(parameters.Sizes.Rules);
-  if (boundary && needsTags)
+  /** @throws Error that names a cell which cannot be refined */
+  GridToRefine(vtkUnstructuredGrid* grid, vtkPolyData* boundary, const RefinementParameters& given)
+    : Grid(grid)
+    , Boundary(boundary)
+    , Parameters(given)
   {
-    parameters.Labels = LabelsOf(mesh, ownRegions, boundary);
-    parameters.LabelOfHoles = LabelOfHoles(boundary);
+    CheckGrid(grid);
+    const bool isKept = given.Surface == SurfaceTreatment::Kept;
+    this->OwnRegions = ReadRegions(grid);
+    this->Regions = isKept ? SplitByBodies(this->OwnRegions, grid) : this->OwnRegions;
+    this->Mesh = ReadTetrahedra(grid);
+    NameSizes(grid, boundary, this->Parameters.Sizes);
+    const bool needsTags = given.Surface == SurfaceTreatment::Remeshed || given.TreatsNeedles ||
+      SizesNameTags(this->Parameters.Sizes.Rules);
+    if (boundary && needsTags)
+    {
+      this->Parameters.Labels = LabelsOf(this->Mesh, this->OwnRegions, boundary);
+      this->Parameters.LabelOfHoles = LabelOfHoles(boundary);
+    }
+    if (boundary && given.Surface == SurfaceTreatment::Split)
+    {
+      this->Parameters.Attributes = AttributesOf(this->Mesh, this->OwnRegions, boundary);
+    }
   }
-  if (boundary && parameters.Surface == SurfaceTreatment::Split)
-  {
-    parameters.Attributes = AttributesOf(mesh, ownRegions, boundary);
-  }
-  const RefinedMesh refined = RefineTetrahedra(mesh, regions, parameters, monitor);
+
+  vtkUnstructuredGrid* Grid;
+  vtkPolyData* Boundary; ///< null: none
+  RefinementParameters Parameters;
+  std::vector<Id> OwnRegions;
+  std::vector<Id> Regions; ///< subdivided where the surface is kept
+  TetrahedralMesh Mesh;
+};
+
+/** The grid's result, with its data.
+ * @param[in] stopwatch started when refinement began */
+Refinement ResultOf(const GridToRefine& given, const RefinedMesh& refined, bool changesSurface,
+  bool quadratic, Stopwatch stopwatch, Monitor& monitor)
+{
+  vtkUnstructuredGrid* grid = given.Grid;
+  const TetrahedralMesh& mesh = given.Mesh;
+  const std::vector<Id>& regions = given.Regions;
   QuadraticCells secondOrder;
   if (quadratic)
   {
@@ -459,17 +480,17 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   CarryFaces(mesh, refined, "FacetIds", -1, grid, result.Grid);
   CarryFaces(mesh, refined, "FacetMultiplicity", 0, grid, result.Grid);
   result.Grid->GetFieldData()->ShallowCopy(grid->GetFieldData());
-  result.Boundary = boundary;
-  if (boundary && !parameters.KeepsSurface())
+  result.Boundary = given.Boundary;
+  if (given.Boundary && changesSurface)
   {
-    result.Boundary = RefineBoundary(mesh, ownRegions, refined, boundary, result.Warnings);
+    result.Boundary =
+      RefineBoundary(mesh, given.OwnRegions, refined, given.Boundary, result.Warnings);
   }
 
-  result.ChangesMasses =
-    parameters.Surface == SurfaceTreatment::Remeshed || parameters.MendsSurface;
+  result.ChangesMasses = changesSurface && given.Parameters.Surface != SurfaceTreatment::Split;
   if (result.ChangesMasses)
   {
-    MeasureMasses(refined, grid, boundary != nullptr, result);
+    MeasureMasses(refined, grid, given.Boundary != nullptr, result);
   }
   result.Statistics = refined.Statistics;
   const ProgressRange end = { Stages::Refining, 1, 1 };
@@ -487,7 +508,7 @@ Refinement RefineAsGiven(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
     FitnessForSolver(made.Points, made.Cells, made.Midpoints, {}, regionsNow, monitor, end);
   AppendFitness(result.Fitness, result.Statistics);
   result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
-  WarnAbout(refined, parameters, result.Warnings);
+  WarnAbout(refined, given.Parameters, result.Warnings);
   result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());
   return result;
 }
@@ -518,6 +539,15 @@ std::string WordsOfTreatment(
     " are left; set SurfaceTreatment to Kept to leave it";
 }
 
+std::string WordsOfMending(const Refinement& mended)
+{
+  std::ostringstream words;
+  words << ": after " << static_cast<Id>(StatisticOf(mended.Statistics, "MendedNeedles"))
+        << " changes to its needles and flat cells, which move it by at most "
+        << std::setprecision(3) << StatisticOf(mended.Statistics, "SurfaceTolerance") << ",";
+  return words.str();
+}
+
 /** Whether areas and volumes are to stay: there are several tags of triangles that close no hole,
  * several named regions, or two that touch. */
 bool HasSeveralNames(vtkUnstructuredGrid* grid, vtkPolyData* boundary)
@@ -544,38 +574,56 @@ bool HasSeveralNames(vtkUnstructuredGrid* grid, vtkPolyData* boundary)
 Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const RefinementParameters& given, bool quadratic, Monitor& monitor)
 {
-  const Refinement kept = RefineAsGiven(grid, boundary, given, quadratic, monitor);
-  if (!given.TreatsNeedles || kept.Fitness.UnfitCells() == 0)
+  const Stopwatch stopwatch;
+  const GridToRefine input(grid, boundary, given);
+  const auto resultOf = [&](const RefinedMesh& refined, bool changesSurface)
+  { return ResultOf(input, refined, changesSurface, quadratic, stopwatch, monitor); };
+  if (!given.TreatsNeedles)
   {
-    return kept;
+    return resultOf(RefineTetrahedra(input.Mesh, input.Regions, input.Parameters, monitor),
+      given.Surface != SurfaceTreatment::Kept);
   }
-  Refinement best = kept;
-  RefinementParameters other = given;
-  other.MendsSurface = true;
-  Refinement mended = RefineAsGiven(grid, boundary, other, quadratic, monitor);
-  const Id needles = static_cast<Id>(StatisticOf(mended.Statistics, "MendedNeedles"));
-  if (needles > 0 && IsFitter(mended.Fitness, kept.Fitness))
+  std::optional<Refinement> kept;
+  Refinement best;
+  const auto look = [&](const RefinedMesh& refined)
   {
-    std::ostringstream words;
-    words << ": after " << needles
-          << " changes to its needles and flat cells, which move it by at most "
-          << std::setprecision(3) << StatisticOf(mended.Statistics, "SurfaceTolerance") << ",";
-    best = mended;
-    best.Warnings.push_back(WordsOfTreatment(kept, words.str(), best));
+    if (!kept)
+    {
+      kept = best = resultOf(refined, false);
+    }
+    else if (const Id needles = static_cast<Id>(StatisticOf(refined.Statistics, "MendedNeedles"));
+             needles > 0)
+    {
+      Refinement mended = resultOf(refined, true);
+      if (IsFitter(mended.Fitness, best.Fitness))
+      {
+        best = mended;
+        best.Warnings.push_back(WordsOfTreatment(*kept, WordsOfMending(mended), best));
+      }
+    }
+    return best.Fitness.UnfitCells() > 0;
+  };
+  RefinementParameters parameters = input.Parameters;
+  parameters.MendsSurface = look;
+  const RefinedMesh last = RefineTetrahedra(input.Mesh, input.Regions, parameters, monitor);
+  if (best.Fitness.UnfitCells() > 0)
+  {
+    look(last);
   }
-  if (best.Fitness.UnfitCells() > 0 && kept.Fitness.Cells <= MostCellsOfTrial &&
+  if (best.Fitness.UnfitCells() > 0 && kept->Fitness.Cells <= MostCellsOfTrial &&
     !HasSeveralNames(grid, boundary))
   {
-    other.MendsSurface = false;
+    RefinementParameters other = given;
+    other.TreatsNeedles = false;
     other.Surface = SurfaceTreatment::Remeshed; // split needles are needles still
-    Refinement remeshed = RefineAsGiven(grid, boundary, other, quadratic, monitor);
+    Refinement remeshed = RefineGrid(grid, boundary, other, quadratic, monitor);
     if (IsFitter(remeshed.Fitness, best.Fitness))
     {
       best = remeshed;
       std::ostringstream words;
       words << ": it is remeshed, within " << std::setprecision(3)
             << StatisticOf(remeshed.Statistics, "SurfaceTolerance") << ", and";
-      best.Warnings.push_back(WordsOfTreatment(kept, words.str(), best));
+      best.Warnings.push_back(WordsOfTreatment(*kept, words.str(), best));
     }
   }
   return best;

@@ -29,7 +29,6 @@
 #include <functional>
 #include <iomanip>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <string>
 
@@ -48,6 +47,10 @@ constexpr double EdgeOfSmallestCell = 4e-7;
 
 /** The largest share of that edge in the size of a solid of which most cells may be accepted. */
 constexpr double LargestSmallestCell = 1e-2;
+
+/** Points of a refined mesh per needle that is mended in it. Refinement makes small cells beside
+ * needles: where these are frequent, it is better and hardly slower to refine anew without them. */
+constexpr Id LeastPointsPerNeedle = 1000;
 
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are then scaled. */
 constexpr int LargestOrdinaryExponent = 60;
@@ -158,8 +161,7 @@ struct SurfaceOfRun
   std::vector<FacetOfInput> Facets;
   std::vector<char> Locked; ///< facets that stay as they are
   double Tolerance;
-  bool MayBeFit;        ///< whether a solver accepts cells much smaller than the solid
-  Id MendedNeedles = 0; ///< changes
+  bool MayBeFit; ///< whether a solver accepts cells much smaller than the solid
 
   Id NumberOfLocked() const
   {
@@ -167,19 +169,24 @@ struct SurfaceOfRun
   }
 };
 
-/** Mark the facets with pieces on the boundary that cross others; none if the surface is kept. */
-std::vector<char> MarkCrossing(const RefinableMesh& mesh, const SurfaceOfRun& run,
-  const RefinementParameters& parameters, Monitor& monitor, double progress)
+/** Mark the facets with pieces on the boundary that cross others. */
+std::vector<char> MarkCrossing(
+  const RefinableMesh& mesh, const SurfaceOfRun& run, Monitor& monitor, double progress)
 {
   std::vector<char> marks(run.Facets.size(), 0);
-  if (!parameters.KeepsSurface())
+  for (const Id facet : CrossingFacets(mesh, monitor, { Stages::Refining, progress, progress }))
   {
-    for (const Id facet : CrossingFacets(mesh, monitor, { Stages::Refining, progress, progress }))
-    {
-      marks[facet] = 1;
-    }
+    marks[facet] = 1;
   }
   return marks;
+}
+
+/** Whether pieces of facets that are not locked cross others: SurfaceBound allows none, and this
+ * verifies it. */
+bool HasNewCrossings(const RefinableMesh& mesh, const SurfaceOfRun& run, Monitor& monitor)
+{
+  const std::vector<char> crossing = MarkCrossing(mesh, run, monitor, 0.9);
+  return !std::equal(crossing.begin(), crossing.end(), run.Locked.begin(), std::less_equal<>());
 }
 
 /** Make each piece one of its patch's facet (JoinCoplanar). */
@@ -197,6 +204,14 @@ void PutInPatches(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets)
   }
 }
 
+void FillToSizes(
+  RefinableMesh& mesh, SizingField& sizes, const RefinementParameters& parameters, Monitor& monitor)
+{
+  ThinPoints(mesh);
+  FillWithPoints(mesh, sizes, parameters.Sizes.MaximumVolume, parameters.Surface, monitor,
+    { Stages::Refining, 0.2, 0.4 });
+}
+
 /** Refine the mesh; its surface is treated as requested, except for locked facets.
  * @param[in] regions per cell of the input
  * @param[in] mayFill whether cells may be made anew
@@ -205,19 +220,7 @@ void PutInPatches(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets)
 bool Run(RefinableMesh& refinable, const std::vector<Id>& regions, SurfaceOfRun& run,
   const RefinementParameters& parameters, bool mayFill, Monitor& monitor)
 {
-  std::optional<SurfaceBudget> budget;
-  if (parameters.MendsSurface)
-  {
-    budget.emplace(refinable, run.Facets);
-  }
-  SurfaceBound bound(refinable, run.Facets,
-    parameters.MendsSurface ? SurfaceTreatment::Remeshed : parameters.Surface, run.Tolerance,
-    budget ? &*budget : nullptr);
-  if (parameters.MendsSurface)
-  {
-    run.MendedNeedles =
-      MendNeedles(refinable, run.Facets, run.Locked, bound, run.Tolerance, monitor);
-  }
+  SurfaceBound bound(refinable, run.Facets, parameters.Surface, run.Tolerance);
   const auto surfaceNow = [&]
   {
     return RefinableSurface(
@@ -261,27 +264,48 @@ bool Run(RefinableMesh& refinable, const std::vector<Id>& regions, SurfaceOfRun&
     }
     sizes.FollowSurface();
   }
-  ThinPoints(refinable);
-  FillWithPoints(refinable, sizes, parameters.Sizes.MaximumVolume, parameters.Surface, monitor,
-    { Stages::Refining, 0.2, 0.4 });
+  FillToSizes(refinable, sizes, parameters, monitor);
   ImproveCells(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.4, 0.9 });
-  const auto mend = [&](RefinableSurface& there, bool mayChange)
+  if (run.MayBeFit)
   {
-    return run.MayBeFit ? MendRefusedCells(refinable, there, bound, run.Tolerance, mayChange,
-                            monitor, { Stages::Refining, 0.9, 0.9 })
-                        : 0;
-  };
-  if (parameters.MendsSurface)
-  {
-    RefinableSurface mended(
-      refinable, run.Facets, run.Locked, SurfaceTreatment::Remeshed, parameters.FeatureAngle);
-    run.MendedNeedles += mend(mended, true);
-  }
-  else
-  {
-    mend(surface, parameters.Surface == SurfaceTreatment::Remeshed);
+    MendRefusedCells(refinable, surface, bound, run.Tolerance,
+      parameters.Surface == SurfaceTreatment::Remeshed, monitor, { Stages::Refining, 0.9, 0.9 });
   }
   return true;
+}
+
+/** Refine a mesh and mend its surface.
+ * @param[in] isRefined whether the mesh is refined, with its surface kept: only what mending
+ * changes is improved then
+ * @return the number of changes of the surface; 0 if some made crossings, or if there are too many
+ * in a refined mesh: the mesh is of no use then */
+Id MendSurface(RefinableMesh& mesh, SurfaceOfRun& run, const RefinementParameters& parameters,
+  bool isRefined, Monitor& monitor)
+{
+  SurfaceBudget budget(mesh, run.Facets);
+  SurfaceBound bound(mesh, run.Facets, SurfaceTreatment::Remeshed, run.Tolerance, &budget);
+  const std::int64_t since = isRefined ? mesh.NumberOfChanges() : None;
+  Id count = MendNeedles(mesh, run.Facets, run.Locked, bound, run.Tolerance, monitor);
+  if (isRefined && count > static_cast<Id>(mesh.Points.size()) / LeastPointsPerNeedle)
+  {
+    return 0;
+  }
+  RefinableSurface kept(
+    mesh, run.Facets, run.Locked, SurfaceTreatment::Kept, parameters.FeatureAngle);
+  SizingField sizes(mesh, parameters.Sizes);
+  if (!isRefined)
+  {
+    FillToSizes(mesh, sizes, parameters, monitor);
+  }
+  ImproveCells(mesh, kept, bound, sizes, monitor, { Stages::Refining, 0.4, 0.9 }, since);
+  if (run.MayBeFit)
+  {
+    RefinableSurface surface(
+      mesh, run.Facets, run.Locked, SurfaceTreatment::Remeshed, parameters.FeatureAngle);
+    count += MendRefusedCells(
+      mesh, surface, bound, run.Tolerance, true, monitor, { Stages::Refining, 0.9, 0.9 });
+  }
+  return HasNewCrossings(mesh, run, monitor) ? 0 : count;
 }
 
 /** Refine a mesh without new crossings: facets that cross others stay as they are. */
@@ -289,7 +313,9 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
   SurfaceOfRun& run, const RefinementParameters& parameters, Monitor& monitor)
 {
   RefinableMesh refinable = MakeRefinable(mesh, regions, run.Facets);
-  run.Locked = MarkCrossing(refinable, run, parameters, monitor, 0);
+  const bool isKept = parameters.Surface == SurfaceTreatment::Kept;
+  run.Locked =
+    isKept ? std::vector<char>(run.Facets.size(), 0) : MarkCrossing(refinable, run, monitor, 0);
   if (parameters.Surface == SurfaceTreatment::Split)
   {
     JoinCoplanar(mesh, run.Locked, run.Facets);
@@ -307,9 +333,7 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
     refinable = MakeRefinable(mesh, regions, run.Facets);
     Run(refinable, regions, run, parameters, false, monitor);
   }
-  // SurfaceBound allows no crossings; this verifies it.
-  const std::vector<char> crossing = MarkCrossing(refinable, run, parameters, monitor, 0.9);
-  if (!std::equal(crossing.begin(), crossing.end(), run.Locked.begin(), std::less_equal<>()))
+  if (!isKept && HasNewCrossings(refinable, run, monitor))
   {
     run.Locked.assign(run.Facets.size(), 1); // their pieces are unchanged
     refinable = MakeRefinable(mesh, regions, run.Facets);
@@ -372,31 +396,12 @@ std::vector<double> LengthsByRules(
   return lengths;
 }
 
-RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  const RefinementParameters& given, Monitor& caller)
+/** The result of a run.
+ * @param[in] mesh, regions of the input */
+RefinedMesh ResultOf(const RefinableMesh& refinable, const TetrahedralMesh& mesh,
+  const std::vector<Id>& regions, const SurfaceOfRun& run, const RefinementParameters& parameters,
+  Monitor& monitor)
 {
-  ForwardMonitor monitor(caller);
-  const bool isSplit = given.Surface == SurfaceTreatment::Split;
-  const Box box = BoundingBox(mesh.Points);
-  const double size = box.Extent(box.LongestAxis());
-  const double usual = RefinementParameters::DefaultTolerance * size;
-  SurfaceOfRun run = { FacetsOf(mesh, regions, isSplit ? given.Attributes : given.Labels), {},
-    given.SurfaceTolerance > 0 ? given.SurfaceTolerance : usual,
-    EdgeOfSmallestCell <= LargestSmallestCell * size };
-  if (given.MendsSurface)
-  {
-    const double least = RefinementParameters::MendingTolerance * size;
-    run.Tolerance = run.MayBeFit ? std::max(least, std::min(EdgeOfSmallestCell, usual)) : least;
-  }
-  monitor.Check(Stages::Refining, 0);
-  RefinementParameters parameters = given;
-  parameters.Sizes = SizesByRules(mesh, regions, run.Facets, given, monitor);
-  RefinableMesh refinable = RunWithoutCrossings(mesh, regions, run, parameters, monitor);
-  if (!parameters.KeepsSurface())
-  {
-    FindNearestFacets(run.Facets, refinable, monitor, { Stages::Refining, 0.9, 0.9 });
-  }
-
   RefinedMesh result = Compress(refinable, mesh, regions, run.Facets);
   std::vector<Point> barycentres(result.Cells.size());
   for (std::size_t c = 0; c < result.Cells.size(); ++c)
@@ -435,14 +440,58 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
       "SurfacePoints", CountSurfacePoints(refinable, mesh.Points.size()));
     result.Statistics.emplace_back("KeptFacets", run.NumberOfLocked());
   }
-  if (parameters.MendsSurface)
-  {
-    result.Statistics.emplace_back("MendedNeedles", run.MendedNeedles);
-    result.Statistics.emplace_back("SurfaceTolerance", run.Tolerance);
-  }
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
     CompareSurfaces(refinable, run, result.Statistics, monitor);
+  }
+  return result;
+}
+
+RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const RefinementParameters& given, Monitor& caller)
+{
+  ForwardMonitor monitor(caller);
+  const bool isSplit = given.Surface == SurfaceTreatment::Split;
+  const Box box = BoundingBox(mesh.Points);
+  const double size = box.Extent(box.LongestAxis());
+  const double usual = RefinementParameters::DefaultTolerance * size;
+  SurfaceOfRun run = { FacetsOf(mesh, regions, isSplit ? given.Attributes : given.Labels), {},
+    given.SurfaceTolerance > 0 ? given.SurfaceTolerance : usual,
+    EdgeOfSmallestCell <= LargestSmallestCell * size };
+  monitor.Check(Stages::Refining, 0);
+  RefinementParameters parameters = given;
+  parameters.Sizes = SizesByRules(mesh, regions, run.Facets, given, monitor);
+  RefinableMesh refinable = RunWithoutCrossings(mesh, regions, run, parameters, monitor);
+  if (parameters.Surface != SurfaceTreatment::Kept)
+  {
+    FindNearestFacets(run.Facets, refinable, monitor, { Stages::Refining, 0.9, 0.9 });
+    return ResultOf(refinable, mesh, regions, run, parameters, monitor);
+  }
+  RefinedMesh result = ResultOf(refinable, mesh, regions, run, parameters, monitor);
+  const double least = RefinementParameters::MendingTolerance * size;
+  run.Tolerance = run.MayBeFit ? std::max(least, std::min(EdgeOfSmallestCell, usual)) : least;
+  for (const bool isRefined : { true, false })
+  {
+    if (!parameters.MendsSurface || !parameters.MendsSurface(result))
+    {
+      break;
+    }
+    if (isRefined)
+    {
+      run.Locked = MarkCrossing(refinable, run, monitor, 0.9);
+    }
+    else
+    {
+      refinable = MakeRefinable(mesh, regions, run.Facets);
+    }
+    const Id changes = MendSurface(refinable, run, parameters, isRefined, monitor);
+    if (changes > 0)
+    {
+      FindNearestFacets(run.Facets, refinable, monitor, { Stages::Refining, 0.9, 0.9 });
+      result = ResultOf(refinable, mesh, regions, run, parameters, monitor);
+      result.Statistics.emplace_back("MendedNeedles", changes);
+      result.Statistics.emplace_back("SurfaceTolerance", run.Tolerance);
+    }
   }
   return result;
 }
@@ -497,24 +546,11 @@ SizingParameters Scaled(const SizingParameters& parameters, int exponent)
   }
   return scaled;
 }
-} // namespace
 
-RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& given,
-  const RefinementParameters& parameters, Monitor& monitor)
+/** A result that is 2^exponent times as large.
+ * @param[in] mesh the input of that size */
+RefinedMesh ScaledBack(RefinedMesh result, int exponent, const TetrahedralMesh& mesh)
 {
-  CheckInput(mesh, parameters.Sizes);
-  const std::vector<Id> regions = NumberedAnew(given);
-  const int exponent = LargestExponent(mesh.Points);
-  if (std::abs(exponent) <= LargestOrdinaryExponent)
-  {
-    return RefineNearUnitSize(mesh, regions, parameters, monitor);
-  }
-  TetrahedralMesh scaled = mesh;
-  scaled.Points = ScaledPoints(mesh.Points, -exponent);
-  RefinementParameters other = parameters;
-  other.Sizes = Scaled(parameters.Sizes, -exponent);
-  other.SurfaceTolerance = ScaledSize(parameters.SurfaceTolerance, -exponent);
-  RefinedMesh result = RefineNearUnitSize(scaled, regions, other, monitor);
   result.Points = ScaledPoints(result.Points, exponent);
   for (double& length : result.LengthsByRules)
   {
@@ -542,5 +578,29 @@ RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>&
     }
   }
   return result;
+}
+} // namespace
+
+RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& given,
+  const RefinementParameters& parameters, Monitor& monitor)
+{
+  CheckInput(mesh, parameters.Sizes);
+  const std::vector<Id> regions = NumberedAnew(given);
+  const int exponent = LargestExponent(mesh.Points);
+  if (std::abs(exponent) <= LargestOrdinaryExponent)
+  {
+    return RefineNearUnitSize(mesh, regions, parameters, monitor);
+  }
+  TetrahedralMesh scaled = mesh;
+  scaled.Points = ScaledPoints(mesh.Points, -exponent);
+  RefinementParameters other = parameters;
+  other.Sizes = Scaled(parameters.Sizes, -exponent);
+  other.SurfaceTolerance = ScaledSize(parameters.SurfaceTolerance, -exponent);
+  if (parameters.MendsSurface)
+  {
+    other.MendsSurface = [&](const RefinedMesh& kept)
+    { return parameters.MendsSurface(ScaledBack(kept, exponent, mesh)); };
+  }
+  return ScaledBack(RefineNearUnitSize(scaled, regions, other, monitor), exponent, mesh);
 }
 } // namespace insideout

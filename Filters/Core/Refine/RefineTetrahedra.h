@@ -7,10 +7,13 @@
 #include "Refine/RefinableSurface.h"
 #include "Refine/SizingField.h"
 
+#include <functional>
 #include <vector>
 
 namespace insideout
 {
+struct RefinedMesh;
+
 struct RefinementParameters
 {
   SizingParameters Sizes;
@@ -26,20 +29,16 @@ struct RefinementParameters
   bool TreatsNeedles = false;
 
   /**
-   * Kept, but for needles of its triangles and for flat cells at it (MendNeedles,
-   * MendRefusedCells). The surface moves, both ways, by at most MendingTolerance times the longest
-   * edge of the points' bounding box. In small solids that is the edge of the smallest cell that
-   * a solver accepts, up to DefaultTolerance. Areas by label and volumes by region stay
-   * (SurfaceBudget).
+   * Kept: called with the result. If it returns true, the surface is mended: needles of its
+   * triangles and flat cells at it are replaced (MendNeedles, MendRefusedCells), at first in that
+   * result if there are few. This is called again with the result of that; if it returns true
+   * again, the input is mended and refined anew, which replaces more needles. The surface moves,
+   * both ways, by at most MendingTolerance times the longest edge of the points' bounding box. In
+   * small solids that is the edge of the smallest cell that a solver accepts, up to
+   * DefaultTolerance. Areas by label and volumes by region stay (SurfaceBudget). Empty: never.
    */
-  bool MendsSurface = false;
+  std::function<bool(const RefinedMesh& result)> MendsSurface;
   static constexpr double MendingTolerance = 1e-6; // STL's decimals and floats are as coarse
-
-  /** Whether the surface stays bit by bit. */
-  bool KeepsSurface() const
-  {
-    return this->Surface == SurfaceTreatment::Kept && !this->MendsSurface;
-  }
 
   /** Limit of the estimated number of cells: beyond it nothing is refined; 0: no limit. */
   Id MaximumCells = 10000000;
@@ -53,8 +52,8 @@ struct RefinementParameters
    * wanted and need not stay for the tolerance; in degrees. */
   double FeatureAngle = 30;
 
-  /** For Remeshed, MendsSurface and size rules, a label per face of each cell; edges between faces
-   * with different labels stay. Empty: all faces have the same number. */
+  /** For Remeshed, mended surfaces and size rules, a label per face of each cell; edges between
+   * faces with different labels stay. Empty: all faces have the same number. */
   std::vector<std::array<Id, 4>> Labels;
 
   /** The label of faces that close holes, if any. Remeshed: those within the tolerance of others
@@ -102,8 +101,8 @@ struct RefinedMesh
  * Statistics: AddedPoints, RemovedPoints, and CellsAboveMaximumVolume if that is given. If the
  * surface is not kept: SurfacePoints, the added points on it, and KeptFacets, the facets that stay
  * because they cross others. If it is remeshed: SurfaceTolerance, SurfaceDistance, its largest
- * distance from the input's, and InputDistance, the reverse. If it is mended: SurfaceTolerance and
- * MendedNeedles, the number of changes.
+ * distance from the input's, and InputDistance, the reverse. If mending changed it:
+ * SurfaceTolerance and MendedNeedles, the number of changes.
  *
  * @param[in] mesh of any solid; its facets do not matter
  * @param[in] regions one per cell; empty: all are one

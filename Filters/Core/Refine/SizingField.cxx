@@ -148,7 +148,7 @@ SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters
   this->AtPoints.resize(mesh.Points.size());
   for (std::size_t p = 0; p < mesh.Points.size(); ++p)
   {
-    const double given = parameters.Lengths.empty() ? Infinite : parameters.Lengths[p];
+    const double given = p < parameters.Lengths.size() ? parameters.Lengths[p] : Infinite;
     this->AtPoints[p] = { Infinite, this->WantedAt(mesh.Points[p], given), given, Infinite };
   }
   for (Id c = 0; c < mesh.NumberOfCells() && !parameters.LengthOfRegion.empty(); ++c)

@@ -15,7 +15,7 @@ struct SizingParameters
   double EdgeLength = 0;       ///< limit of edge lengths; 0: as on the surface
   double Grading = 0.35;       ///< growth of lengths per unit of distance
   double MaximumVolume = 0;    ///< limit of a cell's volume; 0: none
-  std::vector<double> Lengths; ///< wanted length at each input point; empty: none
+  std::vector<double> Lengths; ///< wanted length at each input point; later points have none
 
   /** Wanted length anywhere, infinite for no limit; empty: nowhere. */
   std::function<double(const Point&)> LengthAt;

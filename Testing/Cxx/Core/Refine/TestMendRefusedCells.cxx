@@ -106,7 +106,7 @@ TetrahedralMesh FlatLayer()
 RefinedMesh Refined(const TetrahedralMesh& mesh, bool mends)
 {
   RefinementParameters parameters;
-  parameters.MendsSurface = mends;
+  parameters.MendsSurface = [mends](const RefinedMesh&) { return mends; };
   Monitor monitor;
   return RefineTetrahedra(mesh, {}, parameters, monitor);
 }

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 using namespace insideout;
 using testmeshes::ExpectRemeshingLaws;
@@ -141,7 +143,7 @@ TEST(SmallSteps, GoWhereTheSurfaceIsMendedAndTheRestStays)
   const TetrahedralMesh block = BlockWithStep(1e-7);
   RefinementParameters parameters;
   ASSERT_LT(ShortestEdge(Refined(block, parameters)), 1e-6);
-  parameters.MendsSurface = true;
+  parameters.MendsSurface = [](const RefinedMesh&) { return true; };
   const RefinedMesh refined = Refined(block, parameters);
   ExpectRemeshingLaws(block, {}, refined, RefinementParameters::MendingTolerance * 100 * Size);
   EXPECT_GT(ShortestEdge(refined), 1);
@@ -157,12 +159,40 @@ TEST(SmallSteps, GoWhereTheSurfaceIsMendedAndTheRestStays)
   }
 }
 
+TEST(SmallSteps, AreMendedInTheResultWhereTheyAreFew)
+{
+  TetrahedralMesh block = EvenGrid(Size);
+  const Point amid = { { 200, 200, 100 * Size } };
+  *std::find(block.Points.begin(), block.Points.end(), amid) = { { 100 + 1e-7, 200, 100 * Size } };
+  RefinementParameters parameters;
+  parameters.Sizes.EdgeLength = 20;
+  std::vector<RefinedMesh> results;
+  parameters.MendsSurface = [&results](const RefinedMesh& result)
+  {
+    results.push_back(result);
+    return results.size() == 1;
+  };
+  Refined(block, parameters);
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_LT(ShortestEdge(results[0]), 1e-6);
+  EXPECT_GT(ShortestEdge(results[1]), 1e-3);
+  ExpectRemeshingLaws(block, {}, results[1], RefinementParameters::MendingTolerance * 100 * Size);
+  std::vector<Point> common;
+  for (RefinedMesh& result : results)
+  {
+    std::sort(result.Points.begin(), result.Points.end());
+  }
+  std::set_intersection(results[0].Points.begin(), results[0].Points.end(),
+    results[1].Points.begin(), results[1].Points.end(), std::back_inserter(common));
+  EXPECT_GT(common.size(), results[0].Points.size() * 3 / 4);
+}
+
 TEST(SmallSteps, ThatWouldTakeALabelsAreaAlongStayWhereTheSurfaceIsMended)
 {
   const TetrahedralMesh block = BlockWithStep(1e-5);
   RefinementParameters parameters = RemeshedWithLabelOfStep(block);
   parameters.Surface = SurfaceTreatment::Kept;
-  parameters.MendsSurface = true;
+  parameters.MendsSurface = [](const RefinedMesh&) { return true; };
   parameters.Sizes.EdgeLength = 0;
   const RefinedMesh refined = Refined(block, parameters);
   EXPECT_LT(ShortestEdge(refined), 2e-5);
