@@ -23,7 +23,7 @@ namespace
 constexpr double GoodAngle = 22;
 
 /** The same where the surface is remeshed and obstructs less. */
-constexpr double GoodAngleWhereRemeshed = 33;
+constexpr double GoodAngleWhereRemeshed = 34;
 
 /** Cells with an angle below this, in degrees, may be improved by an additional point. */
 constexpr double AngleForPoint = 20;
