@@ -137,10 +137,13 @@ public:
    * touching regions) or there are more than 100,000 cells. It does each if fewer such cells are
    * left, with a warning. Cells that a smaller unit mends do not count if some are left anyway.
    * SPLIT keeps all points; the pieces lie in the triangles' planes, within rounding, where
-   * coplanar triangles with the same cell data join. REMESHED keeps edges above FeatureAngle, but
-   * joins corners of theirs that are closer than the requested length and need not stay for
-   * SurfaceTolerance. Triangles that close holes and are within it of others join these. Triangles
-   * stay whose replacement would touch another part of the boundary.
+   * coplanar triangles with the same cell data join. If at least half of their corners are floats
+   * or have at most nine digits, a file rounded them. Then triangles within 0.1 degrees join up to
+   * a millionth of the longest edge of the box; areas by tag and volumes by region stay within a
+   * millionth. REMESHED keeps edges above FeatureAngle, but joins corners of theirs that are
+   * closer than the requested length and need not stay for SurfaceTolerance. Triangles that close
+   * holes and are within it of others join these. Triangles stay whose replacement would touch
+   * another part of the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);

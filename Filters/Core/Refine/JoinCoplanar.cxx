@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/JoinCoplanar.h"
 
+#include "Common/Box.h"
 #include "Common/Buckets.h"
 #include "Common/Vectors.h"
 
@@ -15,6 +16,18 @@ namespace
 {
 /** Relative to the largest coordinate: points this near to a plane are on it, up to rounding. */
 constexpr double Rounding = 16 * std::numeric_limits<double>::epsilon();
+
+/** Relative to the longest edge of the bounding box: the same where a file rounded coordinates to
+ * some six digits, if the normals differ by at most an angle, in degrees. */
+constexpr double RoundingOfFiles = 1e-6;
+constexpr double LargestAngle = 0.1;
+
+/** Decimal digits of such a file at most, counted from the first one of the longest edge. */
+constexpr int MostDigits = 9;
+
+/** Relative to a unit of the last digit: coordinates this near to a multiple are one, for rounding
+ * of a conversion between units leaves less. */
+constexpr double RoundingOfDigits = 1e-6;
 
 /** An edge of a facet. */
 struct EdgeUse
@@ -61,12 +74,38 @@ Buckets<Id> NeighborsOf(const TetrahedralMesh& mesh, const std::vector<FacetOfIn
       }
     });
 }
+
+/** How near to a plane its points are where a file rounded at least half of the facets' corners:
+ * intersections, which the others may be, have more digits. 0 if none did. */
+double RoundingByDigits(const TetrahedralMesh& mesh, const std::vector<FacetOfInput>& facets)
+{
+  const Box box = BoundingBox(mesh.Points);
+  const double size = box.Extent(box.LongestAxis());
+  const double unit = std::pow(10, std::floor(std::log10(size)) + 1 - MostDigits);
+  const auto isRounded = [unit](const Point& corner)
+  {
+    return std::all_of(corner.begin(), corner.end(),
+      [unit](double x)
+      {
+        return x == static_cast<float>(x) ||
+          std::abs(x / unit - std::round(x / unit)) < RoundingOfDigits;
+      });
+  };
+  std::size_t rounded = 0;
+  for (const FacetOfInput& facet : facets)
+  {
+    rounded += std::count_if(facet.Corners.begin(), facet.Corners.end(), isRounded);
+  }
+  return 2 * rounded >= 3 * facets.size() ? RoundingOfFiles * size : 0;
+}
 } // namespace
 
 void JoinCoplanar(
   const TetrahedralMesh& mesh, const std::vector<char>& locked, std::vector<FacetOfInput>& facets)
 {
   const Buckets<Id> neighbors = NeighborsOf(mesh, facets);
+  const double byDigits = RoundingByDigits(mesh, facets);
+  const double leastCosine = std::cos(LargestAngle * std::acos(-1.0) / 180);
   std::vector<Point> normals;
   double most = 0;
   for (const FacetOfInput& facet : facets)
@@ -91,10 +130,13 @@ void JoinCoplanar(
       continue;
     }
     const Point& normal = normals[largest];
-    const double highest = Rounding * most * Length(normal);
+    const double length = Length(normal);
     const auto isInPlane = [&](Id f)
     {
-      return Dot(normals[f], normal) > 0 &&
+      const double product = Dot(normals[f], normal);
+      const bool isParallel = product >= leastCosine * length * Length(normals[f]);
+      const double highest = std::max(Rounding * most, isParallel ? byDigits : 0) * length;
+      return product > 0 &&
         std::all_of(facets[f].Corners.begin(), facets[f].Corners.end(),
           [&](const Point& corner) {
             return std::abs(Dot(Difference(corner, facets[largest].Corners[0]), normal)) <= highest;

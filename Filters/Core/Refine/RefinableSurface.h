@@ -15,7 +15,7 @@ enum class SurfaceTreatment
 {
   Kept,    ///< each stays bit by bit
   Split,   ///< points may be added on them; the pieces stay in their planes, up to rounding, where
-           ///< facets of one label join
+           ///< facets of one label join (JoinCoplanar)
   Remeshed ///< replaced by others within a distance
 };
 

@@ -29,6 +29,7 @@
 #include <functional>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -220,7 +221,13 @@ void FillToSizes(
 bool Run(RefinableMesh& refinable, const std::vector<Id>& regions, SurfaceOfRun& run,
   const RefinementParameters& parameters, bool mayFill, Monitor& monitor)
 {
-  SurfaceBound bound(refinable, run.Facets, parameters.Surface, run.Tolerance);
+  std::optional<SurfaceBudget> budget;
+  if (parameters.Surface == SurfaceTreatment::Split)
+  {
+    budget.emplace(refinable, run.Facets);
+  }
+  SurfaceBound bound(
+    refinable, run.Facets, parameters.Surface, run.Tolerance, budget ? &*budget : nullptr);
   const auto surfaceNow = [&]
   {
     return RefinableSurface(

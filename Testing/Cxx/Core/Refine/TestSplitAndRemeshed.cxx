@@ -119,7 +119,7 @@ TEST_P(SplitAndRemeshed, KeepTheirLawsOnSmoothRegions)
 
 TEST_P(SplitAndRemeshed, TakeWhatIsSqueezed)
 {
-  for (const double factor : { 1e-3, 1e-9 })
+  for (const double factor : { 1.0 / 900, 1e-9 }) // not rounded to a file's digits
   {
     TetrahedralMesh grid = testtetrahedra::Grid(GetParam(), 3);
     testtetrahedra::Squeeze(grid, 1, factor);
@@ -381,32 +381,98 @@ TEST(SplitSurface, HasNoLongEdgesWhereShortOnesAreAskedFor)
   EXPECT_GT(StatisticOf(refined, "SurfacePoints"), 6 * 20);
 }
 
-TEST(SplitSurface, TakesNeedlesInAPlaneForOneFacet)
+namespace
 {
-  // A bar of 1 : 1 : 20 whose sides are two needles each, and the same one turned, with rounding.
+/** A bar of 1 : 1 : 20 whose sides are two needles each, turned, so that its points are rounded. */
+TetrahedralMesh TurnedBar()
+{
   TetrahedralMesh bar = EvenGrid(1);
   testtetrahedra::Squeeze(bar, 0, 20);
-  TetrahedralMesh turned = bar;
-  for (Point& p : turned.Points)
+  for (Point& p : bar.Points)
   {
     p = { { 0.6 * p[0] - 0.8 * p[1] + 0.1, 0.8 * p[0] + 0.6 * p[1], p[2] } };
   }
-  for (const TetrahedralMesh& mesh : { bar, turned })
+  return bar;
+}
+
+/** Six times the volume. */
+double VolumeOf(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells)
+{
+  double sum = 0;
+  for (const Tetrahedron& cell : cells)
+  {
+    const auto [a, b, c, d] = CornersOf(points, cell);
+    sum += Determinant(Difference(b, a), Difference(c, a), Difference(d, a));
+  }
+  return sum;
+}
+
+/** The refined mesh if facets do not join. */
+RefinedMesh SplitApart(const TetrahedralMesh& mesh)
+{
+  RefinementParameters apart = Split();
+  apart.Attributes.resize(mesh.Cells.size());
+  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
+  {
+    const Id first = static_cast<Id>(4 * c);
+    apart.Attributes[c] = { { first, first + 1, first + 2, first + 3 } };
+  }
+  return Refined(mesh, {}, apart);
+}
+} // namespace
+
+TEST(SplitSurface, TakesNeedlesInAPlaneForOneFacet)
+{
+  TetrahedralMesh bar = EvenGrid(1);
+  testtetrahedra::Squeeze(bar, 0, 20);
+  for (const TetrahedralMesh& mesh : { bar, TurnedBar() })
   {
     const RefinedMesh refined = Refined(mesh, {}, Split());
     ExpectSplitLaws(mesh, {}, refined);
-    RefinementParameters apart = Split();
-    apart.Attributes.resize(mesh.Cells.size());
-    for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
-    {
-      const Id first = static_cast<Id>(4 * c);
-      apart.Attributes[c] = { { first, first + 1, first + 2, first + 3 } };
-    }
-    const RefinedMesh single = Refined(mesh, {}, apart);
+    const RefinedMesh single = SplitApart(mesh);
     EXPECT_LT(refined.Cells.size(), single.Cells.size());
     EXPECT_GT(testmeshes::LeastSines(refined.Points, refined.Cells).front(),
       testmeshes::LeastSines(single.Points, single.Cells).front());
   }
+}
+
+TEST(SplitSurface, TakesNeedlesForOneFacetUpToTheDigitsOfAFile)
+{
+  // The bar is 1,600 long in x; four decimals make eight digits.
+  TetrahedralMesh bar = TurnedBar();
+  for (std::size_t p = 0; p < bar.Points.size(); ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const double off = 0.0004 * static_cast<double>(p * (p + k) % 3); // no side is plane
+      bar.Points[p][k] = std::round((bar.Points[p][k] + off) * 1e4) / 1e4;
+    }
+  }
+  const RefinedMesh refined = Refined(bar, {}, Split());
+  const RefinedMesh single = SplitApart(bar);
+  EXPECT_LT(refined.Cells.size(), single.Cells.size());
+  EXPECT_GT(testmeshes::LeastSines(refined.Points, refined.Cells).front(),
+    testmeshes::LeastSines(single.Points, single.Cells).front());
+  const std::set<Point> there(refined.Points.begin(), refined.Points.end());
+  EXPECT_TRUE(std::all_of(bar.Points.begin(), bar.Points.end(),
+    [&](const Point& point) { return there.count(point) > 0; }));
+
+  // Coordinates with more digits are taken as they are.
+  for (Point& point : bar.Points)
+  {
+    point[1] += 1e-9 * point[0];
+  }
+  EXPECT_EQ(Refined(bar, {}, Split()).Cells.size(), SplitApart(bar).Cells.size());
+}
+
+TEST_P(SplitAndRemeshed, KeepVolumesWhereFacetsJoinUpToTheDigitsOfAFile)
+{
+  // A plate whose thickness is 300 units of the last digit.
+  TetrahedralMesh plate = testtetrahedra::Grid(GetParam(), 3);
+  testtetrahedra::Squeeze(plate, 1, 1e-3);
+  const RefinedMesh refined = Refined(plate, {}, Split());
+  const double before = VolumeOf(plate.Points, plate.Cells);
+  EXPECT_NEAR(VolumeOf(refined.Points, refined.Cells) / before, 1, 1e-6);
 }
 
 TEST(SplitSurface, KeepsTheEdgesBetweenAttributes)
