@@ -185,7 +185,7 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
   if (refinable.NumberOfChanges() > first)
   {
     FillWithPoints(
-      refinable, sizes, 0, SurfaceTreatment::Split, monitor, { Stages::Layering, 0.6, 0.7 });
+      refinable, sizes, 0, SurfaceTreatment::Kept, monitor, { Stages::Layering, 0.6, 0.7 });
     improve(first, PassesAtEnd, 0.7, 0.9);
   }
 

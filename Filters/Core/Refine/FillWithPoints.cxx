@@ -34,6 +34,9 @@ constexpr double LeastSpacing = 0.7;
  */
 constexpr double LargestRadiusEdgeRatio = 2;
 
+/** The same where the surface is split, so that it has fewer short edges. */
+constexpr double LargestRadiusEdgeRatioWhereSplit = 1.7;
+
 /** Larger cavities are refused: their places are far from the cell to be removed. */
 constexpr std::size_t LargestCavity = 2000;
 
@@ -94,16 +97,19 @@ double NearestNeighbor(const RefinableMesh& mesh, Id point, std::vector<Id>& sta
 class Filling
 {
 public:
-  Filling(RefinableMesh& mesh, SizingField& sizes, double maximumVolume, bool isUniform)
+  Filling(RefinableMesh& mesh, SizingField& sizes, double maximumVolume, SurfaceTreatment surface)
     : Mesh(mesh)
     , Sizes(sizes)
     , MaximumVolume(maximumVolume)
     , Insertion(mesh)
     , Budget(MostBesideShort * mesh.Points.size())
-    , Side(isUniform ? LatticeSide * sizes.Most() : std::numeric_limits<double>::infinity())
+    , MostRadiusEdgeRatio(surface == SurfaceTreatment::Split ? LargestRadiusEdgeRatioWhereSplit
+                                                             : LargestRadiusEdgeRatio)
+    , Side(surface == SurfaceTreatment::Remeshed ? LatticeSide * sizes.Most()
+                                                 : std::numeric_limits<double>::infinity())
   {
     const Box box = BoundingBox(mesh.Points);
-    if (isUniform && maximumVolume > 0)
+    if (this->HasLattice() && maximumVolume > 0)
     {
       this->Side = std::min(this->Side, std::cbrt(12 * ShareOfVolume * maximumVolume));
     }
@@ -181,7 +187,7 @@ private:
     const Circumsphere sphere = this->SphereAround(cell);
     const double shortest =
       ShortestEdgeOf(CornersOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners));
-    const double largest = LargestRadiusEdgeRatio * shortest;
+    const double largest = this->MostRadiusEdgeRatio * shortest;
     const bool isThin = this->Budget > 0 && sphere.SquaredRadius > largest * largest;
     if ((!isThin && !this->IsTooLarge(cell, sphere)) ||
       !this->Insertion.Locate(cell, sphere.Center))
@@ -263,6 +269,7 @@ private:
   const double MaximumVolume; ///< of a cell; 0: any
   PointInsertion Insertion;
   std::size_t Budget; ///< points left for thin cells
+  const double MostRadiusEdgeRatio;
   double Side;
   Point Origin;
 };
@@ -285,8 +292,7 @@ void ThinPoints(RefinableMesh& mesh)
 void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolume,
   SurfaceTreatment surface, Monitor& monitor, const ProgressRange& progress)
 {
-  const bool isUniform = surface == SurfaceTreatment::Remeshed;
-  Filling filling(mesh, sizes, maximumVolume, isUniform);
+  Filling filling(mesh, sizes, maximumVolume, surface);
   filling.FillWithLattice(monitor, { progress.Stage, progress.At(0), progress.At(0.6) });
   filling.FillWithCenters(monitor, { progress.Stage, progress.At(0.6), progress.At(1) });
 }

@@ -22,7 +22,8 @@ namespace
  * value spends most of the time on good cells. */
 constexpr double GoodAngle = 22;
 
-/** The same where the surface is remeshed and obstructs less. */
+/** The same where the surface obstructs less. */
+constexpr double GoodAngleWhereSplit = 30;
 constexpr double GoodAngleWhereRemeshed = 34;
 
 /** Cells with an angle below this, in degrees, may be improved by an additional point. */
@@ -53,6 +54,13 @@ constexpr double LongestEdgeInTheEnd = 2;
 constexpr double AngleAmidLongEdge = 10;
 constexpr std::size_t LargestCavityAmidLongEdge = 100;
 
+double GoodAngleWhere(SurfaceTreatment treatment)
+{
+  return treatment == SurfaceTreatment::Kept ? GoodAngle
+    : treatment == SurfaceTreatment::Split   ? GoodAngleWhereSplit
+                                             : GoodAngleWhereRemeshed;
+}
+
 /** Per point or cell, the time of the last attempt, counted in changes of the mesh. */
 using Tries = std::vector<std::int64_t>;
 
@@ -68,7 +76,7 @@ public:
     , Contract(mesh)
     , ContractOnSurface(mesh, surface, bound)
     , IsRemeshed(surface.Treatment() == SurfaceTreatment::Remeshed)
-    , Good(ShapeOfAngle(this->IsRemeshed ? GoodAngleWhereRemeshed : GoodAngle))
+    , Good(ShapeOfAngle(GoodAngleWhere(surface.Treatment())))
     , Insert(mesh)
   {
   }

@@ -560,6 +560,14 @@ TEST(SplitSurface, MakesNeedlesOfASurfaceGoodCells)
   EXPECT_GT(after[after.size() / 20], 1.5 * before[before.size() / 20]);
 }
 
+TEST(SplitSurface, HasAHundredthOfItsCellsBelow28DegreesAtMost)
+{
+  const TetrahedralMesh ball = Ball(6);
+  const RefinedMesh refined = Refined(ball, {}, Split());
+  const std::vector<double> sines = testmeshes::LeastSines(refined.Points, refined.Cells);
+  EXPECT_GT(sines[sines.size() / 100], std::sin(28 * std::acos(-1.0) / 180));
+}
+
 TEST(SurfaceTreatments, AreTheSameTwiceAndAtAnySize)
 {
   const TetrahedralMesh grid = testtetrahedra::Grid(5, 3);
