@@ -18,6 +18,9 @@ namespace
 /** Pieces of a lower height (LowestOf) are not made from higher ones. */
 constexpr double LeastHeight = 0.2;
 
+/** As MostHeights, where no lengths are wanted. */
+constexpr double MostHeightsOfSurface = 2.4;
+
 /**
  * As MostHeights, where lengths are wanted, on narrow sides between ridges, whose triangles are
  * thin if edges are as long as wanted.
@@ -78,9 +81,9 @@ public:
     std::vector<double> heights;
     for (const SurfacePiece& piece : pieces)
     {
-      heights.push_back(this->Sizes.ReplacesSurface() && this->IsBetweenRidges(piece)
-          ? MostHeightsBetweenRidges
-          : MostHeights);
+      heights.push_back(!this->Sizes.ReplacesSurface() ? MostHeightsOfSurface
+          : this->IsBetweenRidges(piece)               ? MostHeightsBetweenRidges
+                                                       : MostHeights);
     }
     this->Sizes.ShortenAtThinTriangles(pieces, heights, least);
   }
@@ -453,7 +456,8 @@ std::vector<SurfacePiece> RemeshPieces(RefinableMesh& mesh, RefinableSurface& su
   PieceRemeshing remeshing(mesh, surface, bound, sizes);
   for (int round = 0; round < RoundsWhereRemeshed; ++round)
   {
-    if (round == RoundsOfWishes)
+    // Where lengths are wanted, they are reduced once only.
+    if (round == RoundsOfWishes || (round > RoundsOfWishes && !sizes.ReplacesSurface()))
     {
       remeshing.ShortenAtThinTriangles(LeastLength * tolerance);
     }

@@ -56,6 +56,25 @@ double StatisticOf(const RefinedMesh& refined, const std::string& name)
   return found == refined.Statistics.end() ? -1 : found->second;
 }
 
+/** A cylinder of radius 1 and many sides, with a triangle from the center of each rim to each. */
+TetrahedralMesh Cylinder(int sides, double height)
+{
+  std::vector<Point> points = { { { 0, 0, 0 } }, { { 0, 0, height } } };
+  std::vector<Tetrahedron> cells;
+  for (int k = 0; k < sides; ++k)
+  {
+    const double angle = k * 2 * std::acos(-1.0) / sides;
+    points.push_back({ { std::cos(angle), std::sin(angle), 0 } });
+    points.push_back({ { std::cos(angle), std::sin(angle), height } });
+    const Id low = 2 + 2 * k;
+    const Id next = 2 + 2 * ((k + 1) % sides);
+    cells.push_back({ { 0, low, next, next + 1 } });
+    cells.push_back({ { 0, low, next + 1, low + 1 } });
+    cells.push_back({ { 0, low + 1, next + 1, 1 } });
+  }
+  return ConnectCells(points, cells);
+}
+
 /** A ball of radius 1, made of a cube whose points are drawn to spheres. */
 TetrahedralMesh Ball(int size)
 {
@@ -134,22 +153,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, SplitAndRemeshed, testing::Range(0U, 3U));
 
 TEST(RemeshedSurface, HasFewThinTrianglesBesideEdgesThatStayShort)
 {
-  // A disc of many sides, with a triangle from the center to each: none of its rim may go.
-  constexpr int sides = 60;
-  std::vector<Point> points = { { { 0, 0, 0 } }, { { 0, 0, 1 } } };
-  std::vector<Tetrahedron> cells;
-  for (int k = 0; k < sides; ++k)
-  {
-    const double angle = k * 2 * std::acos(-1.0) / sides;
-    points.push_back({ { std::cos(angle), std::sin(angle), 0 } });
-    points.push_back({ { std::cos(angle), std::sin(angle), 1 } });
-    const Id low = 2 + 2 * k;
-    const Id next = 2 + 2 * ((k + 1) % sides);
-    cells.push_back({ { 0, low, next, next + 1 } });
-    cells.push_back({ { 0, low, next + 1, low + 1 } });
-    cells.push_back({ { 0, low + 1, next + 1, 1 } });
-  }
-  const TetrahedralMesh disc = ConnectCells(points, cells);
+  const TetrahedralMesh disc = Cylinder(60, 1); // none of its rims may go
   const RefinedMesh refined = Refined(disc, {}, Remeshed(1e-4, 0));
   const TetrahedralMesh after = ConnectCells(refined.Points, refined.Cells);
   int thin = 0;
@@ -168,6 +172,14 @@ TEST(RemeshedSurface, HasFewThinTrianglesBesideEdgesThatStayShort)
     }
   }
   EXPECT_LT(thin, 0.1 * all);
+}
+
+TEST(RemeshedSurface, HasFewThinCellsAlongAFineCylinder)
+{
+  const TetrahedralMesh cylinder = Cylinder(60, 4);
+  const RefinedMesh refined = Refined(cylinder, {}, Remeshed(1e-3, 0));
+  const std::vector<double> sines = testmeshes::LeastSines(refined.Points, refined.Cells);
+  EXPECT_GT(sines[sines.size() / 20], std::sin(26 * std::acos(-1.0) / 180));
 }
 
 TEST(RemeshedSurface, HasEdgesAsLongAsAskedFor)
