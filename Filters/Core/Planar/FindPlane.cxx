@@ -13,6 +13,10 @@ namespace insideout
 {
 namespace
 {
+/** Components of a normal from this share of the largest on count as equal: rounded points of a
+ * plane at 45 degrees lead to the same axes, by which thin triangles remain positive. */
+constexpr double AlmostSteepest = 1 - 16 * RoundingOfSingles;
+
 /** The first point with the largest `size`. */
 template <typename Size>
 const Point& Farthest(const std::vector<Point>& points, const Size& size)
@@ -72,8 +76,9 @@ Plane FindPlane(const std::vector<Point>& points)
     throw Error(
       ErrorCode::AllDegenerate, "all points lie on one line: there is no area to enclose");
   }
-  const auto steepest = std::max_element(
-    normal.begin(), normal.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+  const double most = std::max({ std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2]) });
+  const auto steepest = std::find_if(normal.begin(), normal.end(),
+    [&](double component) { return std::abs(component) >= AlmostSteepest * most; });
   plane.Dropped = static_cast<int>(steepest - normal.begin());
   plane.Axes = { { (plane.Dropped + 1) % 3, (plane.Dropped + 2) % 3 } };
   for (int k = 0; k < 3; ++k)

@@ -45,8 +45,10 @@ struct Plane
 };
 
 /**
- * The plane of three points that are far from each other; its normal's largest component is
- * positive. Distance tells whether all points lie in it: it is 0 if they do exactly.
+ * The plane of three points that are far from each other; its normal's component along the omitted
+ * axis is positive. Among axes whose components differ by rounding alone the first is omitted, so
+ * rounded points of the plane have the same axes. Distance tells whether all points lie in it: it
+ * is 0 if they do exactly.
  *
  * @throws Error EmptySurface, AllDegenerate if all points lie on one line
  */

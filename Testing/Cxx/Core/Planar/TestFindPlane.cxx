@@ -59,6 +59,19 @@ TEST(FindPlane, MeasuresInPlanesThatLean)
   EXPECT_NEAR(foot[0] - foot[1], 0, 1e-14);
 }
 
+TEST(FindPlane, TakesTheSameAxesForRoundedPointsAtEqualSlopes)
+{
+  for (const double y : { 0.0, 1.0, -1.0 })
+  {
+    for (const double z : { 1 - 1e-15, 1.0, 1 + 1e-15 })
+    {
+      const Plane plane = FindPlane({ { { 0, 0, 0 } }, { { 1, y, z } }, { { 0, 1, 0 } } });
+      EXPECT_EQ(plane.Dropped, 0) << y << " " << z;
+      EXPECT_GT(plane.Normal[0], 0);
+    }
+  }
+}
+
 TEST(FindPlane, TellsRoundingFromWhatIsNotFlat)
 {
   std::vector<Point> rounded;
