@@ -428,8 +428,8 @@ std::vector<SegmentBehind> PlanarWall::SegmentsBehind() const
     const std::size_t last = run.Edges.size();
     std::vector<std::size_t> kept = { 0 };
     const std::vector<Id> back(run.Points.rbegin(), run.Points.rend());
-    for (std::size_t i = FirstWithRoom(*this, run.Points); i + FirstWithRoom(*this, back) <= last;
-         ++i)
+    const std::size_t end = last - FirstWithRoom(*this, back);
+    for (std::size_t i = FirstWithRoom(*this, run.Points); i <= end; ++i)
     {
       kept.push_back(i);
     }
