@@ -184,6 +184,12 @@ private:
     std::vector<unsigned char> inside;
     for (const double w : WindingNumberOfTriangles(curve, hull, this->OfPlane.Metric, this->Watch))
     {
+      if (w > 1.5)
+      {
+        const Id place = curve.Origins[hull.Cells[inside.size()][0]].Points[0];
+        throw Error(ErrorCode::SelfIntersecting,
+          "triangles overlap at point " + std::to_string(this->PointOf(place)));
+      }
       inside.push_back(w > 0.5 ? 1 : 0);
     }
     this->Refined = RefineTriangles(curve, hull, inside, this->OfPlane, {}, this->Watch);
@@ -250,15 +256,20 @@ private:
     }
   }
 
+  /** The point of the input that is at a place, or whose layers end there. */
+  Id PointOf(Id place) const
+  {
+    return place < this->Pushed.NumberOfPoints()
+      ? place
+      : this->Pushed.OwnerOf[place - this->Pushed.NumberOfPoints()];
+  }
+
   /** A cell of the wall at the point whose layers end at a place; None for other places. */
   Id CellNear(Id place) const
   {
     return place < this->Pushed.NumberOfPoints()
       ? None
-      : this->WallEdges[this->Pushed.AtWall
-                          .FacetsAt[this->Pushed.OwnerOf[place - this->Pushed.NumberOfPoints()]]
-                          .begin()[0]] /
-        3;
+      : this->WallEdges[this->Pushed.AtWall.FacetsAt[this->PointOf(place)].begin()[0]] / 3;
   }
 
   /** The point of the result at a corner of a triangle behind: of several in one place that of the

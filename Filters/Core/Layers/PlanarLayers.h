@@ -63,8 +63,8 @@ struct PlanarLayeredMesh
  * None where there is none, and every edge without a second triangle has one
  * @param[in] wall edges without a second triangle, 3 * cell + edge, ascending
  * @param[in] parameters heights are in the units of the plane's points
- * @throws Error InvalidParameter for parameters out of range; SelfIntersecting if constraints
- * cross; TooLarge; Stopped
+ * @throws Error InvalidParameter for parameters out of range; SelfIntersecting if constraints cross
+ * or triangles overlap; TooLarge; Stopped
  */
 PlanarLayeredMesh MakePlanarLayers(const std::vector<PlanarPoint>& points, const PlanarMesh& mesh,
   const std::vector<Id>& wall, const Plane& plane, const LayerParameters& parameters,

@@ -380,6 +380,32 @@ TEST(PlanarLayers, RefuseHeightsThatAreNone)
   EXPECT_THROW(Layered(sheet, wall, 0, 0.1), Error);
 }
 
+TEST(PlanarLayers, RefuseTrianglesThatOverlap)
+{
+  std::vector<Id> labels;
+  Sheet sheet = SheetOf(Channel(labels, 0.4, 1), labels, 0);
+  const std::vector<Id> wall = EdgesWith(sheet, { 2 });
+  const Id first = static_cast<Id>(sheet.Points.size());
+  for (const Point& p : { Point{ 6, 1, 0 }, Point{ 7, 1, 0 }, Point{ 6, 1.5, 0 } })
+  {
+    sheet.Points.push_back(sheet.Plane.Project(p));
+  }
+  sheet.Mesh.Cells.push_back({ { first, first + 1, first + 2 } });
+  sheet.Mesh.Neighbors.push_back({ { None, None, None } });
+  sheet.Mesh.Segments.push_back({ { 0, 0, 0 } });
+  try
+  {
+    Layered(sheet, wall, 2, 0.02);
+    FAIL();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::SelfIntersecting);
+    EXPECT_NE(std::string(error.what()).find("triangles overlap at point "), std::string::npos)
+      << error.what();
+  }
+}
+
 TEST(PlanarLayers, EndWhereTheMonitorSaysSo)
 {
   struct Stopping : Monitor
