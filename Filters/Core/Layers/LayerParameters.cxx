@@ -3,6 +3,7 @@
 
 #include "Common/Error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -22,6 +23,13 @@ void CheckLayerParameters(const LayerParameters& parameters)
   if (!(parameters.Growth > 0) || !std::isfinite(parameters.Growth))
   {
     throw Error(ErrorCode::InvalidParameter, "the growth of layers has to be positive");
+  }
+  LayerParameters largest = parameters; // FractionsOfLayers begins with 1
+  largest.FirstHeight = std::max(1.0, parameters.FirstHeight);
+  if (!std::isfinite(HeightOfAll(largest)))
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the height of " + std::to_string(parameters.Layers) + " layers overflows at this growth");
   }
 }
 

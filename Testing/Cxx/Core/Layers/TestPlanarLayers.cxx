@@ -378,6 +378,7 @@ TEST(PlanarLayers, RefuseHeightsThatAreNone)
     EXPECT_THROW(Layered(sheet, wall, 2, height), Error) << height;
   }
   EXPECT_THROW(Layered(sheet, wall, 0, 0.1), Error);
+  EXPECT_THROW(Layered(sheet, wall, 400, 0.1, 10), Error);
 }
 
 TEST(PlanarLayers, RefuseTrianglesThatOverlap)
