@@ -153,6 +153,10 @@ SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters
   }
   for (Id c = 0; c < mesh.NumberOfCells() && !parameters.LengthOfRegion.empty(); ++c)
   {
+    if (mesh.IsDead(c))
+    {
+      continue;
+    }
     for (const Id p : mesh.Cell(c).Corners)
     {
       Lengths& there = this->AtPoints[p];

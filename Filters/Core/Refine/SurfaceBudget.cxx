@@ -24,6 +24,10 @@ SurfaceBudget::SurfaceBudget(const RefinableMesh& mesh, const std::vector<FacetO
 {
   for (Id c = 0; c < mesh.NumberOfCells(); ++c)
   {
+    if (mesh.IsDead(c))
+    {
+      continue;
+    }
     const auto [a, b, d, e] = CornersOf(mesh.Points, mesh.Cell(c).Corners);
     const double volume = Determinant(Difference(b, a), Difference(d, a), Difference(e, a));
     this->Volumes[mesh.Cell(c).Region].Before += volume;
