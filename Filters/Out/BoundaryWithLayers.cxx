@@ -2,6 +2,7 @@
 #include "Out/BoundaryWithLayers.h"
 
 #include "Data/Arrays.h"
+#include "Out/TransferLayers.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -158,19 +159,8 @@ private:
     auto output = vtkSmartPointer<vtkPolyData>::New();
     output->SetPoints(MakePoints(this->Points));
     output->SetPolys(this->Polys);
-    const auto copy = [](vtkDataSetAttributes* from, const std::vector<vtkIdType>& origins,
-                        vtkDataSetAttributes* to)
-    {
-      const auto count = static_cast<vtkIdType>(origins.size());
-      to->CopyAllOn();
-      to->CopyAllocate(from, count);
-      for (vtkIdType i = 0; i < count; ++i)
-      {
-        to->CopyData(from, origins[i], i);
-      }
-    };
-    copy(this->Boundary->GetPointData(), this->Origins, output->GetPointData());
-    copy(this->Boundary->GetCellData(), this->CellOrigins, output->GetCellData());
+    CopyChosen(this->Boundary->GetPointData(), this->Origins, output->GetPointData());
+    CopyChosen(this->Boundary->GetCellData(), this->CellOrigins, output->GetCellData());
     output->GetFieldData()->ShallowCopy(this->Boundary->GetFieldData());
     return output;
   }

@@ -10,7 +10,6 @@
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
-#include <vtkIdList.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
@@ -64,14 +63,18 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(vtkPolyData* boundary, const PlanarSol
     }
   }
   std::vector<vtkIdType> numbers(made.Points.size(), -1);
-  vtkNew<vtkIdList> points;
+  std::vector<vtkIdType> points;
   const auto numberOf = [&](Id p)
   {
-    numbers[p] = numbers[p] < 0 ? points->InsertNextId(p) : numbers[p];
+    if (numbers[p] < 0)
+    {
+      numbers[p] = static_cast<vtkIdType>(points.size());
+      points.push_back(p);
+    }
     return numbers[p];
   };
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIdList> cells;
+  std::vector<vtkIdType> cells;
   for (const std::vector<Id>& line : JoinAlong(segments, keys))
   {
     lines->InsertNextCell(static_cast<int>(line.size()) + 1);
@@ -80,25 +83,18 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(vtkPolyData* boundary, const PlanarSol
     {
       lines->InsertCellPoint(numberOf(segments[s][1]));
     }
-    cells->InsertNextId(keys[line.front()]);
+    cells.push_back(keys[line.front()]);
+  }
+  std::vector<Point> places(points.size());
+  for (std::size_t p = 0; p < places.size(); ++p)
+  {
+    grid->GetPoint(points[p], places[p].data());
   }
   auto output = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
-  grid->GetPoints()->GetPoints(points, places);
-  output->SetPoints(places);
+  output->SetPoints(MakePoints(places));
   output->SetLines(lines);
-  const auto copy = [](vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes* to)
-  {
-    to->CopyAllOn();
-    to->CopyAllocate(from, ids->GetNumberOfIds());
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      to->CopyData(from, ids->GetId(i), i);
-    }
-  };
-  copy(grid->GetPointData(), points, output->GetPointData());
-  copy(boundary->GetCellData(), cells, output->GetCellData());
+  CopyChosen(grid->GetPointData(), points, output->GetPointData());
+  CopyChosen(boundary->GetCellData(), cells, output->GetCellData());
   output->GetFieldData()->ShallowCopy(boundary->GetFieldData());
   return output;
 }

@@ -58,6 +58,18 @@ void TransferLayers(vtkUnstructuredGrid* grid, const std::vector<Attributes::Mix
   result.Grid->GetFieldData()->ShallowCopy(grid->GetFieldData());
 }
 
+void CopyChosen(
+  vtkDataSetAttributes* from, const std::vector<vtkIdType>& chosen, vtkDataSetAttributes* to)
+{
+  const auto count = static_cast<vtkIdType>(chosen.size());
+  to->CopyAllOn();
+  to->CopyAllocate(from, count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    to->CopyData(from, chosen[i], i);
+  }
+}
+
 void WarnOfHeights(Layering& result)
 {
   std::ostringstream words;

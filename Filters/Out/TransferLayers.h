@@ -37,6 +37,10 @@ void TransferLayers(vtkUnstructuredGrid* grid, const std::vector<Attributes::Mix
   const std::vector<insideout::Id>& cells, const std::vector<insideout::Id>& layers,
   Layering& result);
 
+/** Copy the data of chosen points or cells. */
+void CopyChosen(
+  vtkDataSetAttributes* from, const std::vector<vtkIdType>& chosen, vtkDataSetAttributes* to);
+
 /** Warn of a wall that has not full height everywhere, by the statistics. */
 void WarnOfHeights(Layering& result);
 } // namespace vtkInsideOut

@@ -3,6 +3,7 @@
 
 #include "Common/BoxTree.h"
 #include "Common/Error.h"
+#include "Common/NearestPoint.h"
 #include "Common/PartMonitor.h"
 #include "Common/SortUniquely.h"
 #include "Common/Stages.h"
@@ -104,7 +105,7 @@ private:
         isFree[p] = 0;
       }
     }
-    std::vector<std::array<Point, 2>> moved;
+    std::vector<std::array<Point, 3>> moved; // as triangles without area
     std::vector<Box> boxes;
     for (const SegmentBehind& segment : segments)
     {
@@ -114,7 +115,7 @@ private:
         const std::vector<Point> ends =
           FlatPoints({ this->Pushed.Places[segment.Ends[0]], this->Pushed.Places[segment.Ends[1]] },
             this->OfPlane.Metric);
-        moved.push_back({ { ends[0], ends[1] } });
+        moved.push_back({ { ends[0], ends[1], ends[1] } });
         boxes.push_back(BoundingBox(ends));
       }
     }
@@ -131,22 +132,17 @@ private:
       const double least = LeastShareOfLength * sums[p] / counts[p];
       bool isClose = false;
       tree.Visit(Box{ this->Pushed.Flat[p], this->Pushed.Flat[p] }.Widened(least),
-        [&](Id s) { isClose = isClose || DistanceTo(moved[s], this->Pushed.Flat[p]) < least; });
+        [&](Id s)
+        {
+          isClose = isClose ||
+            Distance(NearestPointOf(moved[s], this->Pushed.Flat[p]), this->Pushed.Flat[p]) < least;
+        });
       if (!isClose)
       {
         free.push_back(p);
       }
     }
     return free;
-  }
-
-  static double DistanceTo(const std::array<Point, 2>& segment, const Point& place)
-  {
-    const Point along = Difference(segment[1], segment[0]);
-    const Point way = Difference(place, segment[0]);
-    const double squared = Dot(along, along);
-    const double share = squared > 0 ? std::clamp(Dot(way, along) / squared, 0.0, 1.0) : 0;
-    return std::hypot(way[0] - share * along[0], way[1] - share * along[1]);
   }
 
   void RefineBehind()

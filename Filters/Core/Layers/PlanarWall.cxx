@@ -29,7 +29,7 @@ constexpr int MostHalvings = 8;
 /** Points of a run stay if they leave this share of the edge behind them to layers. */
 constexpr double LeastShareOfLength = 0.5;
 
-std::vector<Segment> FacetsOf(const PlanarMesh& mesh, const std::vector<Id>& wall)
+std::vector<Segment> EdgesOf(const PlanarMesh& mesh, const std::vector<Id>& wall)
 {
   std::vector<Segment> facets;
   for (const Id edge : wall)
@@ -71,6 +71,7 @@ std::size_t FirstWithRoom(const PlanarWall& wall, const std::vector<Id>& run)
   return i;
 }
 
+/** Finds the places of PlanarWall: heights as in space, halved until the proof holds. */
 class Pusher
 {
 public:
@@ -126,9 +127,8 @@ private:
   /** Per point, the way along its direction to a constraint or the end of its run. */
   std::vector<double> WaysAhead() const
   {
-    const std::vector<PlanarConstraint>& constraints = this->Wall.Rims.Constraints;
     std::vector<Segment> all;
-    for (const PlanarConstraint& constraint : constraints)
+    for (const PlanarConstraint& constraint : this->Wall.Rims.Constraints)
     {
       all.push_back(constraint.Ends);
     }
@@ -137,9 +137,9 @@ private:
       all.push_back({ { run.Points.front(), run.Points.back() } });
     }
     std::vector<Box> boxes;
-    for (const auto& [a, b] : all)
+    for (const Segment& segment : all)
     {
-      boxes.push_back(this->BoxAround(this->Wall.Flat[a], this->Wall.Flat[b]));
+      boxes.push_back(BoundingBox(this->Wall.Flat, segment));
     }
     const BoxTree tree(boxes);
     std::vector<double> ways(this->Wall.Flat.size(), 0);
@@ -170,14 +170,6 @@ private:
       }
     }
     return ways;
-  }
-
-  static Box BoxAround(const Point& a, const Point& b)
-  {
-    Box box = Box::Empty();
-    box.Add(a);
-    box.Add(b);
-    return box;
   }
 
   /** The way from a place along a direction into a box; infinite if it is not ahead. */
@@ -466,7 +458,7 @@ PlanarWall PushPlanarWall(const std::vector<PlanarPoint>& points, const PlanarMe
   const std::vector<Id>& wall, const PlanarMetric& metric, const LayerParameters& parameters,
   Monitor& monitor)
 {
-  const std::vector<Segment> facets = FacetsOf(mesh, wall);
+  const std::vector<Segment> facets = EdgesOf(mesh, wall);
   const std::vector<Point> flat = FlatPoints(points, metric);
   PlanarWall pushed = { facets, WallPoints(points.size(), facets), flat,
     FindPlanarRims(flat, mesh, wall), {}, {}, FirstOfEqual(points),

@@ -165,7 +165,7 @@ TEST(SmallSteps, AreMendedInTheResultWhereTheyAreFew)
   const Point amid = { { 200, 200, 100 * Size } };
   *std::find(block.Points.begin(), block.Points.end(), amid) = { { 100 + 1e-7, 200, 100 * Size } };
   RefinementParameters parameters;
-  parameters.Sizes.EdgeLength = 20;
+  parameters.Sizes.LengthOfCell.assign(block.Cells.size(), 20);
   std::vector<RefinedMesh> results;
   parameters.MendsSurface = [&results](const RefinedMesh& result)
   {
